@@ -1,0 +1,33 @@
+# How every target of this tree is built: warnings, sanitizers, names.
+
+# Warnings are errors in our own code, and only while building it: nothing of this reaches a project that uses Aureole.
+set(AUREOLE_WARNINGS -Wall -Wextra -Wconversion -Werror)
+
+# Sanitizers apply to a whole program, so they are set for every target of the tree.
+if(AUREOLE_SANITIZE)
+    add_compile_options(-fsanitize=${AUREOLE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    add_link_options(-fsanitize=${AUREOLE_SANITIZE})
+endif()
+
+# aureole_add_library(<name> SOURCES <file>...)
+#
+# A static library `aureole_<name>` with the alias `aureole::<name>`. Its public headers are in include/ and are installed;
+# src/ is for itself alone (and for its tests). The caller links what it needs and, last, calls nothing else: install rules
+# are made here.
+function(aureole_add_library name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES")
+    set(target aureole_${name})
+    add_library(${target} STATIC ${arg_SOURCES})
+    add_library(aureole::${name} ALIAS ${target})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+    target_compile_features(${target} PUBLIC cxx_std_20)
+    target_compile_options(${target} PRIVATE ${AUREOLE_WARNINGS})
+    target_include_directories(
+        ${target}
+        PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>"
+        PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/src")
+    if(AUREOLE_INSTALL)
+        install(TARGETS ${target} EXPORT aureole-targets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+        install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+    endif()
+endfunction()

@@ -1,0 +1,29 @@
+# aureole_add_test(<name> SOURCES <file>... [LIBS <target>...] [INCLUDE_DIRS <dir>...] [LABELS <label>...] [TIMEOUT <seconds>])
+#
+# A doctest program <name> (one shared main: tests/doctest_main.cpp) that ctest runs under the same name. It sees the src/
+# folder of the directory it is made in. ctest calls it in that program's own empty working folder. Labels choose what
+# ./test.sh runs where: tests labelled `vulkan` are left out of the sanitizer build (the driver is not ours to check).
+find_package(doctest 2.4 REQUIRED)
+
+# Compiled once: doctest's own implementation is by far the slowest part of a test program.
+add_library(aureole_doctest_main STATIC "${PROJECT_SOURCE_DIR}/tests/doctest_main.cpp")
+target_link_libraries(aureole_doctest_main PUBLIC doctest::doctest)
+target_compile_features(aureole_doctest_main PUBLIC cxx_std_20)
+
+function(aureole_add_test name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "SOURCES;LIBS;INCLUDE_DIRS;LABELS")
+    if(arg_UNPARSED_ARGUMENTS OR NOT arg_SOURCES)
+        message(FATAL_ERROR "aureole_add_test(${name}): SOURCES is missing or arguments are unknown: ${arg_UNPARSED_ARGUMENTS}")
+    endif()
+    add_executable(${name} ${arg_SOURCES})
+    target_compile_options(${name} PRIVATE ${AUREOLE_WARNINGS})
+    target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/src" "${PROJECT_SOURCE_DIR}/tests" ${arg_INCLUDE_DIRS})
+    target_link_libraries(${name} PRIVATE aureole_doctest_main ${arg_LIBS})
+    set(folder "${CMAKE_CURRENT_BINARY_DIR}/run/${name}")
+    file(MAKE_DIRECTORY "${folder}")
+    add_test(NAME ${name} COMMAND ${name} --no-intro WORKING_DIRECTORY "${folder}")
+    if(NOT arg_TIMEOUT)
+        set(arg_TIMEOUT 300)
+    endif()
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}")
+endfunction()

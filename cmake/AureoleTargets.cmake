@@ -19,7 +19,7 @@ function(aureole_add_library name)
     set(target aureole_${name})
     add_library(${target} STATIC ${arg_SOURCES})
     add_library(aureole::${name} ALIAS ${target})
-    set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} LINKER_LANGUAGE CXX)
     target_compile_features(${target} PUBLIC cxx_std_20)
     target_compile_options(${target} PRIVATE ${AUREOLE_WARNINGS})
     target_include_directories(

@@ -1,0 +1,96 @@
+// A shader as one object: SPIR-V, GLSL source and a CPU entry, so that a host with its own shader path takes what it needs.
+#pragma once
+
+#include <aureole/rhi/types.h>
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace aureole::rhi {
+
+enum class SlotKind : std::uint8_t { sampled_texture, storage_texture, constants };
+[[nodiscard]] const char* to_string(SlotKind kind) noexcept;
+
+/// One resource that a shader reads or writes: `layout(set = 0, binding = slot)` in GLSL.
+struct SlotDesc {
+    std::uint32_t slot = 0;
+    SlotKind kind = SlotKind::sampled_texture;
+    Dimension dimension = Dimension::d2;  ///< Of textures. A cube's storage view has six layers (image2DArray).
+    std::string_view name;                ///< As in the GLSL source; used in messages.
+};
+
+/// Value of a specialization constant: `layout(constant_id = id)`. Bits of an int32 (bools are 0 or 1) or of a float.
+struct Specialization {
+    std::uint32_t id = 0;
+    std::uint32_t bits = 0;
+};
+
+/// A texture or uniform block as the CPU kernels see it. Texels are RGBA in the arithmetic type of the kernel (float or
+/// double), row by row, slice by slice, already decoded; a cube has depth 6.
+struct CpuBinding {
+    SlotKind kind = SlotKind::sampled_texture;
+    Format format = Format::undefined;  ///< Stores round to it (half really to half), unless `exact`.
+    bool exact = false;                 ///< Keep every bit of the arithmetic type: the reference does not round.
+    Extent extent;
+    Filter filter = Filter::linear;
+    Address address_u = Address::clamp, address_v = Address::clamp, address_w = Address::clamp;
+    void* texels = nullptr;                   ///< float* or double*.
+    const std::byte* constants = nullptr;     ///< Uniform blocks hold 32-bit floats only.
+    std::uint64_t constants_size = 0;         ///< Bytes.
+};
+
+/// What a range of invocations did. Exact, the same for every thread count, and free of any cost in SPIR-V.
+struct CpuCounts {
+    std::uint64_t evaluations = 0;  ///< COUNT(n) in the kernel: evaluations of the medium.
+    std::uint64_t samples = 0;      ///< SAMPLE: filtered look-ups.
+    std::uint64_t fetches = 0;      ///< texelFetch.
+    std::uint64_t stores = 0;       ///< Texels written by imageStore and by fragment kernels.
+
+    constexpr CpuCounts& operator+=(const CpuCounts& other) noexcept {
+        evaluations += other.evaluations, samples += other.samples, fetches += other.fetches, stores += other.stores;
+        return *this;
+    }
+};
+
+/// Everything a CPU kernel needs beside its invocation number.
+struct CpuArguments {
+    std::span<const Specialization> specialization;
+    std::span<const CpuBinding> bindings;  ///< Indexed by slot.
+    std::span<const std::byte> push_constants;
+    CpuCounts* counts = nullptr;  ///< Null: nothing is counted. Used by one thread at a time.
+};
+
+/// Half-open box of invocations (compute) or pixels (fragment).
+struct CpuRange {
+    std::uint32_t begin[3] = {0, 0, 0};
+    std::uint32_t end[3] = {0, 0, 0};
+};
+
+/// Runs a range of invocations in the calling thread. Ranges of one dispatch are disjoint and may run at the same time.
+/// `target` is the colour target of a fragment kernel, null for compute.
+using CpuRun = void (*)(const CpuArguments& arguments, const CpuRange& range, const CpuBinding* target);
+
+struct CpuEntry {
+    CpuRun run_float = nullptr;
+    CpuRun run_double = nullptr;
+};
+
+enum class Stage : std::uint8_t {
+    compute,
+    fragment,  ///< Drawn as a triangle that covers the target.
+};
+
+/// All members refer to static storage: a shader object lives as long as the program.
+struct Shader {
+    std::string_view name;
+    Stage stage = Stage::compute;
+    std::uint32_t local_size[3] = {1, 1, 1};
+    std::uint32_t push_constant_bytes = 0;  ///< At most 128.
+    std::span<const SlotDesc> slots;
+    std::span<const std::uint32_t> spirv;  ///< Vulkan 1.1 / SPIR-V 1.3, entry "main", validated at build time.
+    std::string_view glsl;                 ///< One self-contained source, `#version 450`; defines are listed in the prelude.
+    CpuEntry cpu;
+};
+
+}  // namespace aureole::rhi

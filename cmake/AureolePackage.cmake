@@ -1,0 +1,12 @@
+# cmake --install: the libraries (each has its own rule, see aureole_add_library) become a package for find_package(aureole).
+include(CMakePackageConfigHelpers)
+
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/aureole")
+install(EXPORT aureole-targets NAMESPACE aureole:: DESTINATION "${package_dir}")
+configure_package_config_file(
+    "${CMAKE_CURRENT_LIST_DIR}/aureole-config.cmake.in" "${PROJECT_BINARY_DIR}/aureole-config.cmake"
+    INSTALL_DESTINATION "${package_dir}")
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/aureole-config-version.cmake" COMPATIBILITY SameMinorVersion)
+install(
+    FILES "${PROJECT_BINARY_DIR}/aureole-config.cmake" "${PROJECT_BINARY_DIR}/aureole-config-version.cmake"
+    DESTINATION "${package_dir}")

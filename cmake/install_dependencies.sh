@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# Says which Debian 12 packages Aureole still needs and installs them.
+#
+#   cmake/install_dependencies.sh [--no-install] [--tests] [--format]
+#
+#   --no-install  only check: exit 1 and name what is missing
+#   --tests       also what ./test.sh needs (Vulkan validation layer)
+#   --format      also what the format check needs (clang-format 14)
+set -euo pipefail
+
+packages=(
+    g++ cmake ninja-build ccache python3                # build tools
+    glslang-tools spirv-tools                           # kernels to validated SPIR-V
+    libglm-dev libspdlog-dev libtbb-dev                 # core
+    libvulkan-dev libvulkan-volk-dev                    # Vulkan backend, to build
+    libvulkan1 mesa-vulkan-drivers                      # Vulkan backend, to run: loader and a device on every machine (lavapipe)
+    libcli11-dev libtomlplusplus-dev nlohmann-json3-dev # application: command line, scenes, reports
+    libopenexr-dev libpng-dev                           # application: images
+    zlib1g-dev                                          # application: compressed height maps
+    python-matplotlib-data                              # application: the terrain of the demo
+    doctest-dev                                         # tests
+)
+
+install=yes
+for argument in "$@"; do
+    case "$argument" in
+        --no-install) install=no ;;
+        --tests) packages+=(vulkan-validationlayers) ;;
+        --format) packages+=(clang-format-14) ;;
+        *) echo "install_dependencies.sh: unknown option $argument; allowed: --no-install --tests --format" >&2; exit 2 ;;
+    esac
+done
+
+if ! command -v dpkg-query > /dev/null; then
+    echo "Packages: not a Debian system, so nothing was checked. CMake will say what it cannot find; docs/building.md lists it all."
+    exit 0
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+    status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2> /dev/null || true)
+    [ "$status" = installed ] || missing+=("$package")
+done
+
+if [ ${#missing[@]} = 0 ]; then
+    echo "Packages: all ${#packages[@]} are installed."
+    exit 0
+fi
+if [ $install = no ]; then
+    echo "Packages: missing ${missing[*]}" >&2
+    echo "Install them with: apt-get install ${missing[*]}" >&2
+    exit 1
+fi
+
+as_root=()
+if [ "$(id -u)" != 0 ]; then
+    if ! command -v sudo > /dev/null; then
+        echo "Packages: missing ${missing[*]}" >&2
+        echo "Neither root nor sudo here. Have them installed with: apt-get install ${missing[*]}" >&2
+        exit 1
+    fi
+    as_root=(sudo)
+fi
+apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=300 -o Acquire::Retries=3)
+
+echo "Packages: installing ${missing[*]}"
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+# A machine whose package lists are complete enough installs without asking the network for new ones.
+if ! "${apt[@]}" install --no-install-recommends "${missing[@]}" < /dev/null > "$log" 2>&1; then
+    if ! { "${apt[@]}" update && "${apt[@]}" install --no-install-recommends "${missing[@]}"; } < /dev/null > "$log" 2>&1; then
+        cat "$log" >&2
+        echo "Packages: apt could not install ${missing[*]} (its messages are above)." >&2
+        exit 1
+    fi
+fi
+echo "Packages: installed."

@@ -1,0 +1,22 @@
+# Installs a build into a staging folder, moves it (a package must not know where it was born), and configures, builds and runs
+# the outside project beside this file against it.
+#   cmake -D BUILD_DIR=... -D WORK_DIR=... -D CXX_COMPILER=... -P install_test.cmake
+cmake_minimum_required(VERSION 3.25)
+
+file(REMOVE_RECURSE "${WORK_DIR}")
+set(steps_prefix "${CMAKE_COMMAND}" -E env --unset=AUREOLE_DIR --unset=CMAKE_PREFIX_PATH)
+function(step)
+    execute_process(COMMAND ${steps_prefix} ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(NOT result EQUAL 0)
+        list(JOIN ARGN " " command)
+        message(FATAL_ERROR "${command}\nfailed (${result}):\n${output}")
+    endif()
+    message("${output}")
+endfunction()
+
+step("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${WORK_DIR}/born")
+file(RENAME "${WORK_DIR}/born" "${WORK_DIR}/prefix")
+step("${CMAKE_COMMAND}" -G Ninja -S "${CMAKE_CURRENT_LIST_DIR}" -B "${WORK_DIR}/build" "-DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix"
+     "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}" -DCMAKE_BUILD_TYPE=Release)
+step("${CMAKE_COMMAND}" --build "${WORK_DIR}/build")
+step("${WORK_DIR}/build/outside")

@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""The tree keeps its rooms: samples -> atmosphere -> rhi <- backends, and nobody knows what is not theirs to know.
+
+Run by ctest with the root of the tree. `--self-test` checks that each rule catches an offender.
+"""
+import pathlib
+import re
+import sys
+import tempfile
+
+CODE = {'.h', '.cpp', '.glsl', '.txt', '.cmake', '.in'}
+LATER = '|'.join(a + b for a, b in (('TO', 'DO'), ('FIX', 'ME'), ('XX', 'X'), ('not imple', 'mented'), ('place', 'holder')))
+MAX_LINES = 400
+
+# (folder, what its files must not contain, tests are held to it too, why)
+RULES = [
+    ('rhi', r'\bVk[A-Z]\w*|volk|vulkan/', True, 'the interface names a graphics API'),
+    ('rhi', r'#\s*include\s*[<"]aureole/(?!rhi/)', True, 'the interface includes what stands above it'),
+    ('atmosphere', r'\bVk[A-Z]\w*|volk|vulkan/|GLFW', False, 'the atmosphere names a graphics API or a window'),
+    ('atmosphere', r'#\s*include\s*<(fstream|filesystem|cstdio|OpenEXR/|png\.h|CLI/|toml\+\+)', False, 'the atmosphere knows files'),
+    ('atmosphere', r'#\s*include\s*[<"]aureole/(cpu|vulkan)/', False, 'the atmosphere knows a backend'),
+    ('backends', r'(?i)rayleigh|ozone|sky_view|transmittance', False, 'a backend knows about skies'),
+    ('backends', r'#\s*include\s*[<"]aureole/(?!rhi/|cpu/|vulkan/)', False, 'a backend includes the atmosphere'),
+    ('', LATER, True, 'work left for later'),
+]
+
+
+def is_test(path):
+    return path.stem.endswith('_test') or 'tests' in path.parts or path.name == 'CMakeLists.txt'
+
+
+def files(root):
+    for room in ('rhi', 'atmosphere', 'backends', 'samples', 'tests', 'cmake'):
+        for path in sorted((root / room).rglob('*')):
+            if path.is_file() and path.suffix in CODE:
+                yield path
+
+
+def check(root):
+    problems = []
+    for path in files(root):
+        relative = path.relative_to(root)
+        lines = path.read_text(encoding='utf-8').splitlines()
+        if len(lines) > MAX_LINES:
+            problems.append(f'{relative}: {len(lines)} lines; allowed: {MAX_LINES}')
+        for folder, pattern, tests_too, why in RULES:
+            if (folder and relative.parts[0] != folder) or (is_test(relative) and not tests_too):
+                continue
+            for number, line in enumerate(lines, 1):
+                if re.search(pattern, line):
+                    problems.append(f'{relative}:{number}: {why}: {line.strip()}')
+    return problems
+
+
+OFFENDERS = [
+    ('rhi/a.h', 'VkImage image;'), ('rhi/b.h', '#include <aureole/atmosphere.h>'), ('atmosphere/a.cpp', '#include <volk.h>'),
+    ('atmosphere/b.cpp', '#include <fstream>'), ('atmosphere/c.cpp', '#include <aureole/cpu/cpu_device.h>'),
+    ('backends/cpu/a.cpp', 'float ozone;'), ('backends/cpu/b.cpp', '#include <aureole/atmosphere.h>'),
+    ('samples/a.cpp', '// ' + LATER.split('|')[0]), ('samples/long.cpp', '\n' * (MAX_LINES + 1)),
+]
+LAWFUL = [('rhi/c.h', '#include <aureole/rhi/types.h>'), ('backends/cpu/c_test.cpp', 'float ozone;'),
+          ('samples/b.cpp', '#include <fstream>')]
+
+
+def self_test():
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        for name, text in OFFENDERS + LAWFUL:
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            (root / name).write_text(text + '\n', encoding='utf-8')
+        found = check(root)
+    expected = sorted(name for name, _ in OFFENDERS)
+    caught = sorted(problem.split(':')[0] for problem in found)
+    return [] if caught == expected else [f'self-test: expected {expected}, caught {caught}']
+
+
+if __name__ == '__main__':
+    report = self_test() if sys.argv[1] == '--self-test' else check(pathlib.Path(sys.argv[1]))
+    print('\n'.join(report) if report else 'every file keeps to its room')
+    sys.exit(1 if report else 0)

@@ -46,9 +46,11 @@ struct CpuCounts {
     std::uint64_t samples = 0;      ///< SAMPLE: filtered look-ups.
     std::uint64_t fetches = 0;      ///< texelFetch.
     std::uint64_t stores = 0;       ///< Texels written by imageStore and by fragment kernels.
+    std::uint64_t bytes = 0;        ///< Their size in the textures' formats.
 
     constexpr CpuCounts& operator+=(const CpuCounts& other) noexcept {
-        evaluations += other.evaluations, samples += other.samples, fetches += other.fetches, stores += other.stores;
+        evaluations += other.evaluations, samples += other.samples, fetches += other.fetches;
+        stores += other.stores, bytes += other.bytes;
         return *this;
     }
 };

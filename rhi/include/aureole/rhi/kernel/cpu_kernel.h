@@ -51,7 +51,7 @@ struct StorageImage {
 
     void store(int x, int y, int z, const glm::vec<4, real>& value) const {
         if (x < 0 || y < 0 || z < 0 || x >= width || y >= height || z >= depth) return;  // as on a GPU: dropped
-        if (counts) ++counts->stores;
+        if (counts) ++counts->stores, counts->bytes += bytes_per_texel(format);
         real* t = texels + 4 * ((static_cast<std::ptrdiff_t>(z) * height + y) * width + x);
         for (int i = 0; i < 4; ++i) t[i] = value[i];
         if (exact) confine(format, t);
@@ -268,6 +268,7 @@ using glm::abs, glm::acos, glm::asin, glm::atan, glm::ceil, glm::clamp, glm::cos
 #define INOUT(T) T&
 #define CONST(T, NAME, VALUE) static constexpr T NAME = VALUE;
 #define COUNT(n) this->count_(n)
+#define LOCAL_ARRAY(T, name, SIZE, MAX) T name[MAX];
 #define SPEC_INT(id, NAME, VALUE) int NAME = this->template specialization<int>(id, VALUE);
 #define SPEC_BOOL(id, NAME, VALUE) bool NAME = this->template specialization<bool>(id, VALUE);
 #define SPEC_REAL(id, NAME, VALUE) real NAME = this->template specialization<real>(id, real(VALUE));

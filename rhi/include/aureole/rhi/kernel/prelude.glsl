@@ -6,6 +6,7 @@
 //     with vectors they do not: real(2) * v.
 //   - Parameters: plain for input, OUT(T) and INOUT(T) for the others. No array parameters, no array initializers.
 //   - Constants at file scope: CONST(type, NAME, value). No other globals than the resources below.
+//   - Local arrays whose size is specialized: LOCAL_ARRAY(type, name, size, maximum).
 //   - No swizzles but single components: vec3(v) takes xyz, vec2(v) takes xy.
 //   - Uniform blocks and push constants consist of vec4 (and mat4) only; integers travel as floats below 2^24.
 //   - Textures are read with SAMPLE(texture, uv) (filtered, level 0), texelFetch(texture, ivec, 0) and textureSize(texture, 0).
@@ -22,6 +23,8 @@
 #define OUT(T) out T
 #define INOUT(T) inout T
 #define CONST(T, NAME, VALUE) const T NAME = VALUE;
+// A local array of SIZE elements, SIZE made of specialization constants and never above the constant MAX.
+#define LOCAL_ARRAY(T, name, SIZE, MAX) T name[SIZE];
 #define COUNT(n)
 
 #ifdef AUREOLE_OPENGL

@@ -1,0 +1,37 @@
+// For those who implement Device: the rules that every descriptor must meet, in one place. Backends and the validation
+// wrapper call these first, so that all of them refuse the same input in the same words. Each function throws
+// Error(invalid_argument) for a value that is never allowed and Error(unsupported) for one that this device lacks, naming
+// the object (`texture "sky_view" extent.width`); it returns if all is well and changes nothing.
+#pragma once
+
+#include <aureole/rhi/device.h>
+
+namespace aureole::rhi {
+
+/// `support` is the device's answer for the texture's format and dimension.
+void check(const TextureDesc& desc, const Capabilities& capabilities, const FormatSupport& support);
+void check(const BufferDesc& desc);
+void check(const SamplerDesc& desc);
+void check(const ComputePipelineDesc& desc, const Capabilities& capabilities);
+/// `support` is the device's answer for the 2D target format.
+void check(const RasterPipelineDesc& desc, const Capabilities& capabilities, const FormatSupport& support);
+
+/// Answers what the handles of a binding set stand for; null for handles that are unknown or destroyed.
+class ObjectLookup {
+public:
+    virtual ~ObjectLookup() = default;
+    [[nodiscard]] virtual const TextureDesc* find(Texture texture) const = 0;
+    [[nodiscard]] virtual const BufferDesc* find(Buffer buffer) const = 0;
+    [[nodiscard]] virtual const SamplerDesc* find(Sampler sampler) const = 0;
+};
+
+/// Every slot of the shader filled once with a live object of the right kind, dimension and usage, and nothing else given.
+/// `shader` is the shader of desc.pipeline.
+void check(const BindingSetDesc& desc, const Shader& shader, const ObjectLookup& objects, const Device& device);
+
+/// `kind "name" field`, as used in messages: texture "sky_view" extent.width. Unnamed objects read `texture "(unnamed)"`.
+[[nodiscard]] std::string field_name(std::string_view kind, std::string_view name, std::string_view field);
+/// The flags of a usage by name, joined by '|'; "none" for none.
+[[nodiscard]] std::string to_string(Usage usage);
+
+}  // namespace aureole::rhi

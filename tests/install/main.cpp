@@ -27,8 +27,8 @@ std::vector<float> render(rhi::Device& device, rhi::Queue& queue) {
                                                  .format = rhi::Format::rgba32_float,
                                                  .extent = size,
                                                  .usage = rhi::Usage::storage | rhi::Usage::copy_source});
-    rhi::Buffer staging = device.create_buffer(
-        {.name = "pixels", .size = bytes, .usage = rhi::Usage::read_back | rhi::Usage::copy_destination});
+    rhi::Buffer staging =
+        device.create_buffer({.name = "pixels", .size = bytes, .usage = rhi::Usage::read_back | rhi::Usage::copy_destination});
     {
         const aureole::AtmosphereParameters earth = aureole::presets::earth();
         aureole::Atmosphere air(device, earth);

@@ -19,6 +19,7 @@ template <class real>
 rhi::CpuBinding texture(std::vector<real>& texels, rhi::Extent extent) {
     rhi::CpuBinding binding;
     binding.texels = texels.data();
+    binding.format = rhi::Format::rgba32_float;
     binding.extent = extent;
     binding.exact = true;
     return binding;

@@ -49,7 +49,7 @@
 #define IMAGE_2D(slot, name) AUREOLE_LAYOUT(slot) uniform writeonly image2D name;
 #define IMAGE_3D(slot, name) AUREOLE_LAYOUT(slot) uniform writeonly image3D name;
 #define IMAGE_CUBE(slot, name) AUREOLE_LAYOUT(slot) uniform writeonly image2DArray name;
-#define UNIFORMS(slot, Block, name) AUREOLE_BLOCK_LAYOUT(slot) uniform Block##_uniforms { Block name; };
+#define UNIFORMS(slot, Block, name) AUREOLE_BLOCK_LAYOUT(slot) uniform name##_uniforms { Block name; };
 #define SAMPLE(tex, uv) textureLod(tex, uv, 0.0)
 
 // A compute kernel: LOCAL_SIZE(x, y, z) and COMPUTE_MAIN(id) { ... } with `ivec3 id` the invocation.

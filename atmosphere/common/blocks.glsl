@@ -1,0 +1,57 @@
+// The uniform blocks of the module, as GLSL and C++ both see them. Lengths in km, coefficients in 1/km: floats near 1.
+// Only vec4 and mat4, so that std140, std430 and C++ agree, and so that the CPU can widen them to double.
+#ifndef AUREOLE_BLOCKS_GLSL
+#define AUREOLE_BLOCKS_GLSL
+
+CONST(int, MAX_TERMS, 16)
+CONST(int, MAX_PHASES, 4)
+CONST(int, MAX_SUNS, 4)
+CONST(int, MAX_NODES, 16)
+
+// The air and the ground.
+struct AtmosphereBlock {
+    vec4 radii;         // x: bottom radius, y: top radius, z: shell thickness (top - bottom), w: sqrt(top^2 - bottom^2); km
+    vec4 ground_albedo; // rgb
+    vec4 sun_mapping;   // multi-scatter axis of the sun cosine (multi_scatter.glsl): x: centre, y: width, z: u at -1, w: u at +1
+    vec4 tables;        // x: rows of the profile table, y: highest altitude of the profile table in km
+    // Density terms. profile: x..z parameters by kind (medium.glsl), w: row of the profile table.
+    vec4 term_profile[MAX_TERMS];
+    vec4 term_scattering[MAX_TERMS];  // rgb, 1/km
+    vec4 term_extinction[MAX_TERMS];  // rgb, 1/km
+    // Distinct phase functions: parameters by kind (phase.glsl).
+    vec4 phase_parameters[MAX_PHASES];
+    // Legendre moments: p_l of phase c is component l % 4 of phase_moments[3 * c + l / 4]; l = 0 .. 11.
+    vec4 phase_moments[3 * MAX_PHASES];
+};
+
+// Gauss-Legendre rule of N <= 16 nodes on (0, 1) for the integral over u, with the matrix of its running integrals.
+struct QuadratureBlock {
+    vec4 node[MAX_NODES];    // x: u_j, y: weight w_j
+    vec4 running[64];        // M(k, j) = integral from 0 to u_k of the j-th Lagrange polynomial: component j % 4 of [4 k + j / 4]
+};
+
+// A camera, its suns, and what follows from them in double precision on the host.
+struct ViewBlock {
+    vec4 camera;        // x: altitude in the air, km (0 .. shell thickness); y: mu of the horizon there (<= 0); z: angle of the
+                        // horizon below the horizontal (dip), rad; w: 1 if the camera is above the atmosphere, else 0
+    vec4 space;         // the camera above the atmosphere: x: its altitude, km; y: dip of the atmosphere's top seen from there,
+                        // rad; z: dip of the ground's horizon seen from there, rad; w: unused. Inside: x as camera.x, y: -pi/2.
+    vec4 up;            // unit vector from the planet's centre to the camera, world axes
+    vec4 east;          // any horizontal unit vector, world axes; up, east, north right-handed
+    vec4 north;
+    // Rays: direction(x, y) = ray_origin + x * ray_x + y * ray_y in world axes (not normalized), x and y in [0, 1] from the
+    // target's first row; meaning by kind (composite.glsl).
+    vec4 ray_origin, ray_x, ray_y;  // ray_origin.w: kind: 0 matrix, 1 panorama, 2 fisheye
+    vec4 forward;       // unit vector of the view axis; w: 1 orthographic
+    vec4 depth;         // view depth along forward, km = (x * d + y) / (z * d + w)
+    vec4 froxels;       // x: distance of the last slice, km; y: 1 / x; z: exposure of the tables (pre-exposure); w: its inverse
+    vec4 composite;     // x: exposure; y: frame number for the dither, z, w: unused
+    // Suns. direction: world axes, w: cosine of the zenith angle at the camera (mu_s).
+    vec4 sun_direction[MAX_SUNS];
+    vec4 sun_azimuth[MAX_SUNS];     // unit horizontal vector towards the sun, world axes; w: sine of the zenith angle
+    vec4 sun_irradiance[MAX_SUNS];  // rgb; w: count of suns (same in all)
+    vec4 sun_disk[MAX_SUNS];        // x: sin^2 of half the angular radius * 4 (squared chord), y: 1 / x, z: radiance of the disk per irradiance
+                                    // (1/sr, at mu = 1), w: 1 if limb darkening
+};
+
+#endif

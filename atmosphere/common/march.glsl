@@ -1,0 +1,105 @@
+// Light gathered along a ray: the integral of what the air scatters towards the camera, times the transmittance back to it.
+//
+// Along a piece of the ray on which the integrand is smooth, N Gauss-Legendre nodes in u with t = D u^2 converge exponentially:
+// eight beat sixty-four uniform steps a hundred times (docs: quadrature). So the ray is cut where the integrand is not smooth:
+// where it enters or leaves the planet's shadow (single scattering only lives on the sunlit pieces), and at its lowest point;
+// each piece has its dense end where the air is dense. The transmittance from the camera comes from the same nodes: density at
+// the nodes, multiplied by the matrix of running integrals of the interpolating polynomial, is the optical depth at the nodes.
+//
+// The including kernel declares atm, quadrature, transmittance_table and says
+//   SPEC_INT(…, RAY_NODES, …), SPEC_BOOL(…, SINGLE_SCATTERING, …), SPEC_BOOL(…, MULTIPLE_SCATTERING, …)
+// and provides vec3 multiple_scattering(...) by multi_scatter.glsl.
+#ifndef AUREOLE_MARCH_GLSL
+#define AUREOLE_MARCH_GLSL
+
+#include "common/geometry.glsl"
+#include "medium/medium.glsl"
+#include "multi_scatter/multi_scatter.glsl"
+#include "transmittance/transmittance.glsl"
+
+struct RayLight {
+    vec3 single[MAX_PHASES];  // single scattering by phase function c, without the value of the phase: 1 per irradiance
+    vec3 multiple;            // light scattered twice or more, 1/sr per irradiance
+    vec3 depth;               // optical depth of what has been marched
+};
+
+RayLight no_light() {
+    RayLight light;
+    light.multiple = vec3(real(0));
+    light.depth = vec3(real(0));
+    for (int c = 0; c < MAX_PHASES; ++c) light.single[c] = vec3(real(0));
+    return light;
+}
+
+// One smooth piece [t0, t1] of the ray, after what `light` has gathered already.
+void march_piece(Ray ray, real t0, real t1, bool dense_end, bool lit, INOUT(RayLight) light) {
+    real span = t1 - t0;
+    LOCAL_ARRAY(real, density, RAY_NODES * (TERM_COUNT + 1), MAX_NODES * (MAX_TERMS + 1))  // times dt/du
+
+    vec3 whole = vec3(real(0));
+    for (int j = 0; j < RAY_NODES; ++j) {
+        COUNT(1);
+        real u = quadrature.node[j].x;
+        real s = span * u * u;
+        real h = altitude_after(ray.altitude, ray.mu, dense_end ? t1 - s : t0 + s);
+        for (int i = 0; i < TERM_COUNT; ++i) {
+            real d = term_density(i, h) * (2 * span * u);
+            density[j * (TERM_COUNT + 1) + i] = d;
+            whole += (d * quadrature.node[j].y) * vec3(atm.term_extinction[i]);
+        }
+    }
+
+    for (int k = 0; k < RAY_NODES; ++k) {
+        real u = quadrature.node[k].x;
+        real s = span * u * u;
+        real t = dense_end ? t1 - s : t0 + s;
+        real h = altitude_after(ray.altitude, ray.mu, t);
+        real mu_s = sun_mu_after(ray, t, h);
+
+        vec3 running = vec3(real(0));
+        vec3 scattering[MAX_PHASES];
+        for (int c = 0; c < PHASE_COUNT; ++c) scattering[c] = vec3(real(0));
+        for (int i = 0; i < TERM_COUNT; ++i) {
+            real d = real(0);
+            for (int j = 0; j < RAY_NODES; ++j)
+                d += quadrature.running[4 * k + j / 4][j % 4] * density[j * (TERM_COUNT + 1) + i];
+            running += d * vec3(atm.term_extinction[i]);
+            scattering[term_phase(i)] +=
+                (density[k * (TERM_COUNT + 1) + i] * quadrature.node[k].y) * vec3(atm.term_scattering[i]);
+        }
+        // The interpolating polynomial may swing below 0 or above the whole where the density is steep.
+        running = clamp(running, vec3(real(0)), whole);
+        vec3 transmittance = exp(-(light.depth + (dense_end ? whole - running : running)));
+
+        if (SINGLE_SCATTERING && lit) {
+            vec3 beam = transmittance * transmittance_to_top(h, mu_s);
+            for (int c = 0; c < PHASE_COUNT; ++c) light.single[c] += beam * scattering[c];
+        }
+        if (MULTIPLE_SCATTERING)
+            light.multiple += transmittance * scattered_diffuse(h, view_mu_after(ray, t, h), mu_s, ray.nu, scattering);
+    }
+    light.depth += whole;
+}
+
+// The whole ray, cut at its lowest point and at the edges of the shadow.
+RayLight march(Ray ray) {
+    RayLight light = no_light();
+    real lowest = ray.ground ? ray.end : clamp(-(bottom_radius() + ray.altitude) * ray.mu, real(0), ray.end);
+    vec2 shadow = SINGLE_SCATTERING ? shadow_interval(ray) : vec2(real(0));
+    // Cuts in order: of the three, the lowest point may lie before, inside or after the shadow.
+    real cut1 = min(lowest, shadow.x);
+    real cut2 = max(min(lowest, shadow.y), shadow.x);
+    real cut3 = max(lowest, shadow.y);
+    real begin = real(0);
+    for (int piece = 0; piece < 4; ++piece) {
+        real end = piece == 0 ? cut1 : (piece == 1 ? cut2 : (piece == 2 ? cut3 : ray.end));
+        if (end - begin > real(1e-7) * ray.end) {
+            real middle = real(0.5) * (begin + end);
+            march_piece(ray, begin, end, middle < lowest, middle < shadow.x || middle > shadow.y, light);
+        }
+        begin = max(begin, end);
+    }
+    return light;
+}
+
+#endif

@@ -1,0 +1,127 @@
+// What an atmosphere is made of. SI units throughout; colours are scene-linear Rec.709 triples (r, g, b).
+//
+// Radiometric contract: every table holds radiance per unit of solar irradiance (1/sr). What a pixel gets is
+//     radiance = solar_irradiance * table
+// so the output's unit follows the sun's: give `Sun::irradiance` in W/m^2 per band and get W/(m^2 sr), give it in lux and get
+// cd/m^2. Nothing else is multiplied in, except `CompositeSettings::exposure` where a host asks for it.
+//
+// Every field is checked by `validate`; a rejected value throws aureole::Error naming field, value and allowed range.
+#pragma once
+
+#include <aureole/rhi/error.h>
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace aureole {
+
+using Rgb = glm::dvec3;
+
+// ---- How a term's density changes with altitude. Densities are relative: 1 means the coefficients as stated. ----
+
+/// density(h) = exp(-h / scale_height_m).
+struct ExponentialProfile {
+    double scale_height_m = 8000;  ///< Finite, > 0.
+};
+/// density(h) = max(0, 1 - |h - center_m| / half_width_m): Bruneton 2017's ozone layer.
+struct TentProfile {
+    double center_m = 25000;      ///< Finite.
+    double half_width_m = 15000;  ///< Finite, > 0.
+};
+/// Linear between the samples, constant beyond them.
+struct TabulatedProfile {
+    std::vector<double> altitude_m;  ///< Strictly increasing, finite; at least 2 entries, at most 4096.
+    std::vector<double> density;     ///< As many, finite, >= 0.
+};
+using Profile = std::variant<ExponentialProfile, TentProfile, TabulatedProfile>;
+
+// ---- Phase functions p(cos theta), 1/sr, each integrating to 1 over the sphere. theta = 0 is forward. ----
+
+/// 3/(16 pi) (1 + cos^2): molecules, without depolarization.
+struct RayleighPhase {};
+/// Henyey & Greenstein 1941.
+struct HenyeyGreensteinPhase {
+    double g = 0.76;  ///< Mean cosine, in [-0.999, 0.999].
+};
+/// Cornette & Shanks 1992: Henyey-Greenstein times 3/2 (1 + cos^2) / (2 + g^2).
+struct CornetteShanksPhase {
+    double g = 0.8;  ///< In [-0.999, 0.999]. The mean cosine is 3 g (4 + g^2) / (5 (2 + g^2)).
+};
+/// (1 - weight) HG(g_hg) + weight Draine(g_draine, alpha): Jendersie & d'Eon 2023, a fit of Mie theory for fog and cloud.
+struct HenyeyGreensteinDrainePhase {
+    double g_hg = 0.9;       ///< In [-0.999, 0.999].
+    double g_draine = 0.5;   ///< In [-0.999, 0.999].
+    double alpha = 10;       ///< In [0, 1e4].
+    double weight = 0.3;     ///< Share of the Draine lobe, in [0, 1].
+    /// The published fit for droplets of the given diameter, in [5, 50] micrometres.
+    [[nodiscard]] static HenyeyGreensteinDrainePhase from_droplet_diameter(double diameter_um);
+};
+/// Linear in theta between samples; renormalized to integrate to 1.
+struct TabulatedPhase {
+    std::vector<double> angle_rad;  ///< From 0 to pi, strictly increasing; at least 2 entries, at most 4096.
+    std::vector<double> value;      ///< As many, finite, >= 0, not all 0. Any scale.
+};
+using PhaseFunction =
+    std::variant<RayleighPhase, HenyeyGreensteinPhase, CornetteShanksPhase, HenyeyGreensteinDrainePhase, TabulatedPhase>;
+
+/// Phase value in 1/sr for cos_theta in [-1, 1]. Evaluated by the kernels' own formula, in double.
+[[nodiscard]] double evaluate(const PhaseFunction& phase, double cos_theta);
+/// Legendre moments p_l = integral of p(cos) P_l(cos) over the sphere, l = 0 .. count-1. p_0 is 1; p_1 is the mean cosine.
+[[nodiscard]] std::vector<double> legendre_moments(const PhaseFunction& phase, int count);
+
+/// One constituent: molecules, an aerosol, an absorber.
+struct DensityTerm {
+    std::string name;                 ///< For messages: "rayleigh", "mie", "ozone".
+    Profile profile;
+    Rgb scattering_per_m{0, 0, 0};    ///< At density 1. Finite, >= 0.
+    Rgb absorption_per_m{0, 0, 0};    ///< At density 1. Finite, >= 0.
+    PhaseFunction phase;              ///< Unused when scattering is 0.
+};
+
+struct Planet {
+    double bottom_radius_m = 6.36e6;  ///< Of the ground. Finite, [1e3, 1e12].
+    double top_radius_m = 6.46e6;     ///< Where the atmosphere ends. At least 1 m above the bottom, at most 11 bottom radii.
+    Rgb ground_albedo{0.3, 0.3, 0.3};  ///< Lambertian, in [0, 1].
+};
+
+struct AtmosphereParameters {
+    Planet planet;
+    /// Up to `max_terms`, with at most `max_phase_functions` different scattering phase functions among them (terms with
+    /// equal phase functions share). None: an airless body.
+    std::vector<DensityTerm> terms;
+
+    static constexpr int max_terms = 16;
+    static constexpr int max_phase_functions = 4;
+};
+
+/// Throws Error(invalid_argument) at the first field outside its range.
+void validate(const AtmosphereParameters& parameters);
+
+/// How the solar disk darkens towards its edge, as a power of mu, the cosine between the ray and the star's surface normal.
+enum class LimbDarkening : std::uint8_t {
+    none,      ///< A uniform disk.
+    neckel94,  ///< Hestroffer & Magnan 1998: mu^alpha with alpha for 680, 550, 440 nm from Neckel & Labs 1994.
+};
+
+/// A distant light: the sun, a second sun, a moon.
+struct Sun {
+    glm::dvec3 direction{0, 0, 1};     ///< Towards the sun, in the axes of `Camera`. Finite, not 0; normalized here.
+    Rgb irradiance{1, 1, 1};           ///< At the top of the atmosphere, on a surface that faces the sun. Finite, >= 0.
+    double angular_radius_rad = 0.004675;  ///< In [0, pi/4]. 0: no visible disk.
+    LimbDarkening limb_darkening = LimbDarkening::neckel94;
+};
+void validate(const Sun& sun);
+
+/// Scattering and extinction at an altitude, and what a vertical column adds up to: for tests, tools and the curious.
+struct MediumSample {
+    Rgb scattering_per_m, extinction_per_m;
+};
+[[nodiscard]] MediumSample sample_medium(const AtmosphereParameters& parameters, double altitude_m);
+/// Optical depth of the vertical column from the ground to the top, by term name or all of them.
+[[nodiscard]] Rgb vertical_optical_depth(const AtmosphereParameters& parameters);
+[[nodiscard]] Rgb vertical_optical_depth(const AtmosphereParameters& parameters, const std::string& term);
+
+}  // namespace aureole

@@ -1,0 +1,54 @@
+// How finely the tables are made: the knobs that trade speed for accuracy, and four named settings.
+#pragma once
+
+#include <aureole/rhi/types.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace aureole {
+
+/// Which sampling the kernels use.
+enum class Sampling : std::uint8_t {
+    gauss,           ///< Ours: Gauss-Legendre nodes on the sunlit part of each ray (docs: quadrature).
+    published_2020,  ///< Hillaire, EGSR 2020: uniform steps, mean-only multiple scattering; for comparison.
+};
+
+struct QualitySettings {
+    std::string name = "default";
+    Sampling sampling = Sampling::gauss;
+
+    rhi::Extent transmittance{128, 32, 1};  ///< Sun-zenith x altitude nodes. Each in [2, 4096].
+    int transmittance_nodes = 10;           ///< Gauss nodes a ray (uniform steps in published_2020), in [2, 16] ([1, 256]).
+
+    rhi::Extent multi_scatter{32, 16, 1};  ///< Sun-cosine x altitude nodes. Each in [2, 256].
+    int angular_order = 2;                 ///< L of the moments: 0 (mean alone), 2; layouts exist for 4 and 8.
+    int multi_scatter_zenith = 4;          ///< Gauss directions on each side of the horizon, in [2, 16].
+    int multi_scatter_azimuth = 4;         ///< Directions on a half circle, in [2, 32].
+    int multi_scatter_nodes = 6;           ///< Gauss nodes a ray, in [2, 16].
+    int multi_scatter_orders = 4;          ///< Passes of the fixed point before the rest is extrapolated, in [1, 64].
+
+    rhi::Extent sky_view{32, 128, 1};  ///< Azimuth x elevation nodes. Each in [4, 4096].
+    int sky_view_nodes = 8;            ///< Gauss nodes a ray segment (uniform steps in published_2020), in [2, 16] ([1, 256]).
+
+    rhi::Extent aerial_perspective{32, 32, 32};  ///< Screen x screen x slices. Each in [2, 256].
+    int aerial_perspective_nodes = 1;            ///< Gauss nodes a slice, in [1, 8].
+
+    rhi::Format table_format = rhi::Format::rgba32_float;   ///< Transmittance, multi-scatter and sky-view: rgba16_ or rgba32_float.
+    rhi::Format froxel_format = rhi::Format::rgba16_float;  ///< Aerial perspective: rgba16_ or rgba32_float.
+
+    [[nodiscard]] static QualitySettings low();
+    [[nodiscard]] static QualitySettings standard();  ///< "default"
+    [[nodiscard]] static QualitySettings high();
+    /// Transmittance 256x64 with 40 steps; multi-scatter 32x32, 64 directions x 20 steps; sky-view 200x100 with 30 uniform steps;
+    /// froxels 32^3, each marched from the camera. Hillaire, EGSR 2020.
+    [[nodiscard]] static QualitySettings published_2020();
+    /// "low", "default", "high" or "published-2020"; anything else throws Error naming the four.
+    [[nodiscard]] static QualitySettings by_name(std::string_view name);
+};
+
+/// Throws Error(invalid_argument) at the first field outside its range.
+void validate(const QualitySettings& settings);
+
+}  // namespace aureole

@@ -1,0 +1,60 @@
+// Sky-view table: everything the camera sees of the air and the bare ground, in all directions, per unit of solar irradiance.
+// One table a sun, with layers stacked in y:
+//   layer 0:     radiance (1/sr) with the phase functions of molecules applied, multiple scattering, and the ground's reflection;
+//   layer 1 + i: single scattering by the i-th sharp phase function (aerosols) without its value. The look-up multiplies by
+//                p(nu) at the pixel's own nu, so the sun's aureole is as sharp as the phase function, at any table size.
+// Axes. x: s = sin(azimuth / 2) from the sun's azimuth: half a turn is enough by symmetry, and the brightness is smooth in it.
+// y: angle from the horizon, 0 at the horizon's own row on each side, dense there; a look-up never mixes the two sides, so the
+// horizon is exact at any altitude. Above the atmosphere, the upper half spans from the horizon to the top's limb.
+#ifndef AUREOLE_SKY_VIEW_GLSL
+#define AUREOLE_SKY_VIEW_GLSL
+
+#include "phase/phase.glsl"
+
+SPEC_INT(5, SHARP_PHASES, 0)  // bit c: phase function c is kept out of layer 0
+SPEC_INT(6, SUN_COUNT, 1)
+
+bool phase_is_sharp(int c) { return ((SHARP_PHASES >> c) & 1) != 0; }
+int sharp_phase_count() {
+    return (SHARP_PHASES & 1) + ((SHARP_PHASES >> 1) & 1) + ((SHARP_PHASES >> 2) & 1) + ((SHARP_PHASES >> 3) & 1);
+}
+int sky_view_layers() { return 1 + sharp_phase_count(); }
+
+// Angle in [0, range] from the horizon to position in [0, 1] within a side, and back.
+real sky_view_angle(real position, real range) { return range * position * position; }
+real sky_view_angle_position(real angle, real range) { return sqrt(clamp(angle / range, real(0), real(1))); }
+
+// Of the upper side: from the horizon to the zenith, or from space to the limb of the top. Of the lower: to the nadir.
+real sky_view_upper_range() { return view.camera.w > real(0.5) ? view.space.z - view.space.y : real(0.5) * PI + view.camera.z; }
+real sky_view_lower_range() { return real(0.5) * PI - (view.camera.w > real(0.5) ? view.space.z : view.camera.z); }
+
+// x position of an azimuth with cosine c, and the cosine at a position.
+real sky_view_azimuth_position(real azimuth_cosine) { return sqrt(clamp(real(0.5) - real(0.5) * azimuth_cosine, real(0), real(1))); }
+real sky_view_azimuth_cosine(real position) { return 1 - 2 * position * position; }
+
+#ifdef AUREOLE_SKY_VIEW_TABLE
+// Elevation above the horizontal (rad) as seen from the camera, cosine of the azimuth from sun `sun`, cosine nu from that sun.
+vec3 sky_view_radiance(int sun, real elevation, real azimuth_cosine, real nu) {
+    real dip = view.camera.w > real(0.5) ? view.space.z : view.camera.z;
+    real angle = elevation + dip;
+    bool below = angle < 0;
+    if (!below && angle > sky_view_upper_range() && view.camera.w > real(0.5)) return vec3(real(0));
+    ivec2 size = textureSize(sky_view_table, 0);
+    int rows = size.y / (SUN_COUNT * sky_view_layers());
+    int half_rows = rows / 2;
+    real position = sky_view_angle_position(abs(angle), below ? sky_view_lower_range() : sky_view_upper_range());
+    real row = real(0.5) + position * real(half_rows - 1) + (below ? real(0) : real(half_rows)) + real(sun * sky_view_layers() * rows);
+    real u = unit_to_texture(sky_view_azimuth_position(azimuth_cosine), size.x);
+    vec3 radiance = vec3(SAMPLE(sky_view_table, vec2(u, row / real(size.y))));
+    int layer = 1;
+    for (int c = 0; c < PHASE_COUNT; ++c) {
+        if (!phase_is_sharp(c)) continue;
+        vec3 single = vec3(SAMPLE(sky_view_table, vec2(u, (row + real(layer * rows)) / real(size.y))));
+        radiance += single * phase_function(phase_kind(c), atm.phase_parameters[c], nu);
+        ++layer;
+    }
+    return radiance * view.froxels.w;
+}
+#endif
+
+#endif

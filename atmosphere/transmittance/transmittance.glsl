@@ -1,0 +1,50 @@
+// Transmittance table: optical depth (rgb) from (altitude, mu) to the top of the shell, for directions above the horizon.
+// Optical depth, not its exponential, is stored: it is smooth, so a small table interpolates well, and thick air does not
+// underflow. The axes are Bruneton 2017's: rho / rho_top with rho = sqrt(r^2 - R^2), and the distance to the top between its
+// least (straight up) and greatest (grazing the ground) value. Needs `atm`, geometry.glsl, `transmittance_table`.
+#ifndef AUREOLE_TRANSMITTANCE_GLSL
+#define AUREOLE_TRANSMITTANCE_GLSL
+
+// Position in [0, 1] to texture coordinate, 0 and 1 at the centres of the first and last texel.
+real unit_to_texture(real x, int size) { return (real(0.5) + x * real(size - 1)) / real(size); }
+real texel_to_unit(int i, int size) { return real(i) / real(size - 1); }
+
+// (u, v) in [0, 1]^2 of a point and direction.
+vec2 transmittance_position(real altitude, real mu) {
+    real rho = horizon_distance(altitude);
+    real d = distance_to_top(altitude, mu);
+    real d_min = shell_thickness() - altitude;
+    real d_max = rho + atm.radii.w;
+    return vec2(clamp((d - d_min) / max(d_max - d_min, real(1e-20)), real(0), real(1)), rho / atm.radii.w);
+}
+
+// The inverse: altitude and mu of a position. mu from the distance d: T^2 = r^2 + 2 r d mu + d^2.
+vec2 transmittance_altitude_mu(vec2 position) {
+    real radius = bottom_radius();
+    real rho = atm.radii.w * position.y;
+    real altitude = rho * rho / (radius + sqrt(radius * radius + rho * rho));
+    altitude = min(altitude, shell_thickness());
+    real d_min = shell_thickness() - altitude;
+    real d = d_min + position.x * (rho + atm.radii.w - d_min);
+    real c = (shell_thickness() - altitude) * (2 * radius + shell_thickness() + altitude);
+    real mu = d > 0 ? (c - d * d) / (2 * (radius + altitude) * d) : real(1);
+    return vec2(altitude, clamp(mu, real(-1), real(1)));
+}
+
+#ifdef AUREOLE_TRANSMITTANCE_TABLE
+// Optical depth to the top. Below the horizon the value of the horizon is returned: callers know what the ground blocks.
+vec3 optical_depth_to_top(real altitude, real mu) {
+    vec2 position = transmittance_position(altitude, max(mu, horizon_mu(altitude)));
+    ivec2 size = textureSize(transmittance_table, 0);
+    return vec3(SAMPLE(transmittance_table, vec2(unit_to_texture(position.x, size.x), unit_to_texture(position.y, size.y))));
+}
+
+vec3 transmittance_to_top(real altitude, real mu) { return exp(-optical_depth_to_top(altitude, mu)); }
+
+// To the sun, a point: 0 behind the ground.
+vec3 transmittance_to_sun(real altitude, real mu_s) {
+    return hits_ground(altitude, mu_s) ? vec3(real(0)) : transmittance_to_top(altitude, mu_s);
+}
+#endif
+
+#endif

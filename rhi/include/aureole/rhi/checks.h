@@ -29,6 +29,31 @@ public:
 /// `shader` is the shader of desc.pipeline.
 void check(const BindingSetDesc& desc, const Shader& shader, const ObjectLookup& objects, const Device& device);
 
+// Recording functions never throw, so their rules answer with a complaint (empty: all is well), which also names the objects.
+// Rules about states are the validation wrapper's (validation.h).
+
+struct PipelineFacts {
+    std::string_view name;
+    const Shader* shader = nullptr;
+    Format target_format = Format::undefined;  ///< Of raster pipelines.
+};
+struct BindingSetFacts {
+    std::string_view name;
+    const Shader* shader = nullptr;  ///< Of the pipeline that the set was made for.
+};
+
+/// Null `pipeline` or `bindings`: unknown or destroyed. A shader without slots needs no binding set.
+[[nodiscard]] std::string complaint(const DispatchDesc& desc, const PipelineFacts* pipeline, const BindingSetFacts* bindings);
+/// Null `target`: unknown or destroyed.
+[[nodiscard]] std::string complaint(const DrawDesc& desc, const PipelineFacts* pipeline, const BindingSetFacts* bindings,
+                                    const TextureDesc* target);
+[[nodiscard]] std::string complaint(const CopyDesc& desc, const ObjectLookup& objects);
+/// For update_constants.
+[[nodiscard]] std::string complaint(const BufferDesc* buffer, std::span<const std::byte> bytes);
+
+/// Bytes of all texels, tightly packed, all faces of a cube included.
+[[nodiscard]] std::uint64_t packed_size(const TextureDesc& desc) noexcept;
+
 /// `kind "name" field`, as used in messages: texture "sky_view" extent.width. Unnamed objects read `texture "(unnamed)"`.
 [[nodiscard]] std::string field_name(std::string_view kind, std::string_view name, std::string_view field);
 /// The flags of a usage by name, joined by '|'; "none" for none.

@@ -1,0 +1,76 @@
+#include "barriers.h"
+
+namespace aureole::vulkan {
+namespace {
+
+/// What must have ended: accesses in `before`, or, where the contents no longer matter, whatever was done last.
+StateAccess source_of(rhi::State before, const StateAccess& last, bool graphics, bool depth) noexcept {
+    if (before != rhi::State::undefined) return access_of(before, graphics, depth);
+    StateAccess source = last;
+    source.layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    return source;
+}
+
+/// Reads that the barrier before has already allowed.
+bool is_needless(const StateAccess& source, const StateAccess& destination) noexcept {
+    return source.writes == 0 && destination.writes == 0 && source.layout == destination.layout &&
+           (destination.stages & ~source.stages) == 0 && (destination.reads & ~source.reads) == 0;
+}
+
+}  // namespace
+
+void BarrierBatch::add(TextureObject& texture, rhi::State before, rhi::State after) noexcept {
+    // Nothing can be moved to `undefined`: the texture stays as it is until its contents are replaced.
+    if (after == rhi::State::undefined) return;
+    const StateAccess source = source_of(before, texture.last_access, context_.graphics, texture.is_depth());
+    const StateAccess destination = access_of(after, context_.graphics, texture.is_depth());
+    texture.last_access = destination;
+    texture.last_state = after;
+    if (is_needless(source, destination)) return;
+
+    if (image_count_ == capacity) flush();
+    VkImageMemoryBarrier& barrier = images_[image_count_++];
+    barrier = {};
+    barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
+    barrier.srcAccessMask = source.writes;
+    barrier.dstAccessMask = destination.reads | destination.writes;
+    barrier.oldLayout = source.layout;
+    barrier.newLayout = destination.layout;
+    barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.image = texture.image();
+    barrier.subresourceRange = texture.whole();
+    before_ |= source.stages;
+    after_ |= destination.stages;
+}
+
+void BarrierBatch::add(BufferObject& buffer, rhi::State before, rhi::State after) noexcept {
+    if (after == rhi::State::undefined) return;
+    StateAccess source = source_of(before, buffer.last_access, context_.graphics, false);
+    StateAccess destination = access_of(after, context_.graphics, false);
+    source.layout = destination.layout = VK_IMAGE_LAYOUT_UNDEFINED;  // Buffers have none.
+    buffer.last_access = destination;
+    if (is_needless(source, destination)) return;
+
+    if (buffer_count_ == capacity) flush();
+    VkBufferMemoryBarrier& barrier = buffers_[buffer_count_++];
+    barrier = {};
+    barrier.sType = VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER;
+    barrier.srcAccessMask = source.writes;
+    barrier.dstAccessMask = destination.reads | destination.writes;
+    barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.buffer = buffer.buffer();
+    barrier.size = VK_WHOLE_SIZE;
+    before_ |= source.stages;
+    after_ |= destination.stages;
+}
+
+void BarrierBatch::flush() noexcept {
+    if (image_count_ + buffer_count_ == 0) return;
+    context_.fn.vkCmdPipelineBarrier(commands_, before_, after_, 0, 0, nullptr, buffer_count_, buffers_, image_count_, images_);
+    image_count_ = buffer_count_ = 0;
+    before_ = after_ = 0;
+}
+
+}  // namespace aureole::vulkan

@@ -1,0 +1,30 @@
+// Collects barriers and records them together, without allocation.
+#pragma once
+
+#include "buffer.h"
+#include "texture.h"
+
+namespace aureole::vulkan {
+
+class BarrierBatch {
+public:
+    BarrierBatch(const Context& context, VkCommandBuffer commands) : context_(context), commands_(commands) {}
+    ~BarrierBatch() { flush(); }
+    BarrierBatch(const BarrierBatch&) = delete;
+    BarrierBatch& operator=(const BarrierBatch&) = delete;
+
+    void add(TextureObject& texture, rhi::State before, rhi::State after) noexcept;
+    void add(BufferObject& buffer, rhi::State before, rhi::State after) noexcept;
+    void flush() noexcept;
+
+private:
+    static constexpr std::uint32_t capacity = 16;
+    const Context& context_;
+    VkCommandBuffer commands_;
+    VkPipelineStageFlags before_ = 0, after_ = 0;
+    std::uint32_t image_count_ = 0, buffer_count_ = 0;
+    VkImageMemoryBarrier images_[capacity];
+    VkBufferMemoryBarrier buffers_[capacity];
+};
+
+}  // namespace aureole::vulkan

@@ -1,0 +1,172 @@
+// Entry points: list, create, borrow.
+#include <aureole/vulkan/vulkan_device.h>
+
+#include "instance.h"
+#include "queue.h"
+#include "result.h"
+
+#include <optional>
+
+namespace aureole::vulkan {
+namespace {
+
+/// A VkDevice of our own with one queue.
+class NativeDevice {
+public:
+    NativeDevice(const Instance& instance, const PhysicalDevice& physical, std::uint32_t queue_family) {
+        const float priority = 1.0f;
+        VkDeviceQueueCreateInfo queue = {};
+        queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
+        queue.queueFamilyIndex = queue_family;
+        queue.queueCount = 1;
+        queue.pQueuePriorities = &priority;
+        VkPhysicalDeviceFeatures features = {};
+        features.shaderStorageImageWriteWithoutFormat = VK_TRUE;
+        VkDeviceCreateInfo info = {};
+        info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
+        info.queueCreateInfoCount = 1;
+        info.pQueueCreateInfos = &queue;
+        info.pEnabledFeatures = &features;
+        const auto create = instance.functions().vkCreateDevice;
+        check_result(create(physical.handle, &info, nullptr, &device_), "vkCreateDevice", physical.properties.deviceName);
+        destroy_ = reinterpret_cast<PFN_vkDestroyDevice>(instance.functions().vkGetDeviceProcAddr(device_, "vkDestroyDevice"));
+    }
+    ~NativeDevice() {
+        if (destroy_) destroy_(device_, nullptr);
+    }
+    NativeDevice(const NativeDevice&) = delete;
+    NativeDevice& operator=(const NativeDevice&) = delete;
+    [[nodiscard]] VkDevice get() const noexcept { return device_; }
+
+private:
+    VkDevice device_ = VK_NULL_HANDLE;
+    PFN_vkDestroyDevice destroy_ = nullptr;
+};
+
+class OwnDevice final : public VulkanDevice {
+public:
+    explicit OwnDevice(const VulkanDeviceDesc& desc)
+        : sink_(sink_of(desc)), instance_(open_vulkan(desc.loader), desc.validation, sink_) {
+        const std::vector<PhysicalDevice> found = enumerate(instance_.functions(), instance_.handle());
+        const PhysicalDevice& physical = choose(found, desc);
+        handles_.instance = instance_.handle();
+        handles_.physical_device = physical.handle;
+        handles_.queue_family = choose_queue_family(physical);
+        native_.emplace(instance_, physical, handles_.queue_family);
+        handles_.device = native_->get();
+
+        ContextDesc context;
+        context.functions = instance_.functions();
+        context.instance = handles_.instance;
+        context.physical = physical;
+        context.device = handles_.device;
+        context.queue_family = handles_.queue_family;
+        context.ownership = Ownership::own;
+        context.debug_utils = instance_.debug_utils();
+        device_.emplace(context, sink_);
+        device_->context().fn.vkGetDeviceQueue(handles_.device, handles_.queue_family, 0, &handles_.queue);
+        queue_.emplace(*device_, handles_.queue);
+    }
+    /// A lost device waits for nothing; its objects may and must still be freed.
+    ~OwnDevice() override { device_->context().fn.vkDeviceWaitIdle(handles_.device); }
+
+    [[nodiscard]] rhi::Device& device() override { return *device_; }
+    [[nodiscard]] rhi::Queue& queue() override { return *queue_; }
+    [[nodiscard]] VulkanHandles handles() const override { return handles_; }
+
+private:
+    static MessageSink sink_of(const VulkanDeviceDesc& desc) {
+        MessageSink sink;
+        sink.set(desc.message_callback, desc.message_user);
+        return sink;
+    }
+
+    // Destroyed from the last to the first.
+    MessageSink sink_;
+    Instance instance_;
+    VulkanHandles handles_;
+    std::optional<NativeDevice> native_;
+    std::optional<Device> device_;
+    std::optional<Queue> queue_;
+};
+
+void check_host(const BorrowedVulkan& host) {
+    const auto refuse_null = [](bool null, const char* field) {
+        if (null) throw Error(ErrorCode::invalid_argument, field, "null", "the host's");
+    };
+    refuse_null(host.instance == VK_NULL_HANDLE, "instance");
+    refuse_null(host.physical_device == VK_NULL_HANDLE, "physical_device");
+    refuse_null(host.device == VK_NULL_HANDLE, "device");
+    refuse_null(host.get_instance_proc_addr == nullptr, "get_instance_proc_addr");
+    if (host.api_version < VK_API_VERSION_1_1)
+        throw Error(ErrorCode::unsupported, "api_version", version_text(host.api_version), "1.1 or later");
+}
+
+ContextDesc context_of(const BorrowedVulkan& host) {
+    check_host(host);
+    ContextDesc context;
+    context.functions =
+        load_instance_functions(host.get_instance_proc_addr, host.instance, Ownership::borrowed, host.debug_utils);
+    context.instance = host.instance;
+    context.physical = describe(context.functions, host.physical_device);
+    context.device = host.device;
+    context.queue_family = host.queue_family;
+    context.ownership = Ownership::borrowed;
+    context.debug_utils = host.debug_utils;
+    context.pipeline_cache = host.pipeline_cache;
+
+    if (const std::string problem = problem_of(context.physical, host.enabled_features); !problem.empty())
+        throw Error(ErrorCode::unsupported, "the host's device " + problem);
+    const std::size_t families = context.physical.queue_families.size();
+    if (host.queue_family >= families)
+        throw Error(ErrorCode::invalid_argument, "queue_family", std::to_string(host.queue_family),
+                    "0 to " + std::to_string(families - 1));
+    if (!(context.physical.queue_families[host.queue_family].queueFlags & VK_QUEUE_COMPUTE_BIT))
+        throw Error(ErrorCode::unsupported, "queue_family", std::to_string(host.queue_family), "a family with compute");
+    return context;
+}
+
+class GuestDevice final : public BorrowedVulkanDevice {
+public:
+    explicit GuestDevice(const BorrowedVulkan& host) : device_(context_of(host), sink_), list_(device_) {}
+
+    [[nodiscard]] rhi::Device& device() override { return device_; }
+    [[nodiscard]] rhi::CommandList& begin_recording(VkCommandBuffer commands) override {
+        if (!commands) throw Error(ErrorCode::invalid_argument, "commands", "null", "a command buffer in the recording state");
+        if (list_.is_recording()) sink_.misuse("begin_recording: the recording before was not ended and is forgotten");
+        list_.begin(commands);
+        return list_;
+    }
+    void end_recording() noexcept override { list_.end(); }
+
+private:
+    MessageSink sink_;
+    Device device_;
+    CommandList list_;
+};
+
+}  // namespace
+
+VulkanDeviceList list_vulkan_devices(PFN_vkGetInstanceProcAddr loader) {
+    VulkanDeviceList list;
+    try {
+        const MessageSink silent;
+        const GlobalFunctions global = open_vulkan(loader);
+        list.validation_available = has_layer(global, validation_layer);
+        const Instance instance(global, false, silent);
+        for (const PhysicalDevice& device : enumerate(instance.functions(), instance.handle()))
+            list.devices.push_back(info_of(device, static_cast<std::uint32_t>(list.devices.size())));
+        if (list.devices.empty()) list.problem = "no Vulkan driver is installed that works here";
+    } catch (const Error& error) {
+        list.problem = error.what();
+    }
+    return list;
+}
+
+std::unique_ptr<VulkanDevice> create_vulkan_device(const VulkanDeviceDesc& desc) { return std::make_unique<OwnDevice>(desc); }
+
+std::unique_ptr<BorrowedVulkanDevice> borrow_vulkan_device(const BorrowedVulkan& host) {
+    return std::make_unique<GuestDevice>(host);
+}
+
+}  // namespace aureole::vulkan

@@ -44,12 +44,19 @@ std::string complain_usage(const char* kind, const std::string& name, Usage has_
     return "copy: " + field_name(kind, name, "") + " has usage " + to_string(has_usage) + ", not " + to_string(needed);
 }
 
+/// Buffers for the CPU's bytes exist to be copied from or to.
+Usage with_implied(Usage usage) {
+    if (has(usage, Usage::upload)) usage = usage | Usage::copy_source;
+    if (has(usage, Usage::read_back)) usage = usage | Usage::copy_destination;
+    return usage;
+}
+
 std::string complain_buffer_texture(const BufferDesc* buffer, Usage buffer_usage, const TextureDesc* texture,
                                     Usage texture_usage) {
     if (!texture) return "copy: unknown or destroyed texture";
     if (!buffer) return "copy: unknown or destroyed buffer";
     if (auto text = complain_usage("texture", texture->name, texture->usage, texture_usage); !text.empty()) return text;
-    if (auto text = complain_usage("buffer", buffer->name, buffer->usage, buffer_usage); !text.empty()) return text;
+    if (auto text = complain_usage("buffer", buffer->name, with_implied(buffer->usage), buffer_usage); !text.empty()) return text;
     if (buffer->size < packed_size(*texture))
         return "copy: " + field_name("buffer", buffer->name, "") + " has " + std::to_string(buffer->size) + " bytes, " +
                field_name("texture", texture->name, "") + " needs " + std::to_string(packed_size(*texture));

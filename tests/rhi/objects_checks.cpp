@@ -1,0 +1,136 @@
+// Capabilities, refusals at creation, and destruction.
+#include <aureole/rhi/error.h>
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <string>
+
+#include "aureole_rhi_conformance_shaders.h"
+#include "rhi/harness.h"
+
+namespace aureole::conformance {
+
+using namespace aureole::rhi;
+
+void check_capabilities(const Target& target) {
+    const Capabilities& c = target.device.capabilities();
+    CHECK(!c.backend.empty());
+    CHECK(!c.device.empty());
+    CHECK(!c.driver.empty());
+    CHECK(c.max_texture_2d >= 4096);
+    CHECK(c.max_texture_3d >= 256);
+    CHECK(c.max_texture_cube >= 1024);
+    CHECK(c.max_push_constant_bytes >= 128);
+    // What Aureole's tables need everywhere.
+    for (const Dimension dimension : {Dimension::d2, Dimension::d3}) {
+        const FormatSupport half = target.device.format_support(Format::rgba16_float, dimension);
+        CHECK(half.sampled);
+        CHECK(half.linear_filter);
+        CHECK(half.storage);
+        CHECK(target.device.format_support(Format::rgba32_float, dimension).sampled);
+    }
+    const FormatSupport none = target.device.format_support(Format::undefined, Dimension::d2);
+    CHECK(!none.sampled);
+    CHECK(!none.storage);
+    CHECK(!none.color_attachment);
+    CHECK(!none.linear_filter);
+}
+
+namespace {
+
+/// The call throws an Error with this code that names the object.
+void check_refused(const char* what, ErrorCode code, const std::string& name, const std::function<void()>& call) {
+    CAPTURE(what);
+    try {
+        call();
+        FAIL_CHECK("was accepted");
+    } catch (const Error& error) {
+        CHECK(error.code() == code);
+        CAPTURE(error.what());
+        CHECK(std::string(error.what()).find(name) != std::string::npos);
+    }
+}
+
+void check_texture_refused(Device& device, const char* what, ErrorCode code, const TextureDesc& desc) {
+    check_refused(what, code, "bad texture", [&] { (void)device.create_texture(desc); });
+}
+
+}  // namespace
+
+void check_creation_errors(const Target& target) {
+    Device& device = target.device;
+    const TextureDesc good{"bad texture", Dimension::d2, Format::rgba16_float, {8, 4, 1}, Usage::sampled | Usage::storage};
+    const auto invalid = ErrorCode::invalid_argument;
+    TextureDesc d = good;
+    d.extent.width = 0;
+    check_texture_refused(device, "no width", invalid, d);
+    d = good, d.extent.height = device.capabilities().max_texture_2d + 1;
+    check_texture_refused(device, "too high", ErrorCode::unsupported, d);
+    d = good, d.extent.depth = 2;
+    check_texture_refused(device, "a deep 2d texture", invalid, d);
+    d = good, d.format = Format::undefined;
+    check_texture_refused(device, "no format", invalid, d);
+    d = good, d.usage = Usage::none;
+    check_texture_refused(device, "no usage", invalid, d);
+    d = good, d.usage = Usage::sampled | Usage::constants;
+    check_texture_refused(device, "a buffer's usage", invalid, d);
+    d = good, d.dimension = Dimension::cube;
+    check_texture_refused(device, "a cube that is not square", invalid, d);
+
+    check_refused("empty buffer", invalid, "bad buffer", [&] { (void)device.create_buffer({"bad buffer", 0, Usage::upload}); });
+    check_refused("useless buffer", invalid, "bad buffer", [&] { (void)device.create_buffer({"bad buffer", 4, Usage::none}); });
+    check_refused("no shader", invalid, "bad pipeline", [&] {
+        (void)device.create_compute_pipeline({"bad pipeline", nullptr, {}});
+    });
+    check_refused("fragment shader in a compute pipeline", invalid, "bad pipeline", [&] {
+        (void)device.create_compute_pipeline({"bad pipeline", &shaders::conformance_draw, {}});
+    });
+
+    Harness h(target);
+    const auto pipeline = h.compute(shaders::conformance_copy);
+    const auto source = h.texture("source", Format::rgba32_float, {4, 4, 1}, Usage::sampled | Usage::copy_destination);
+    const auto image = h.texture("image", Format::rgba32_float, {4, 4, 1}, Usage::storage | Usage::copy_source);
+    const auto sampler = h.sampler(Filter::nearest);
+    const auto set = [&](std::vector<Binding> bindings) {
+        return [&device, pipeline, bindings] { (void)device.create_binding_set({"bad set", pipeline, bindings}); };
+    };
+    const Binding read{0, source, sampler, {}}, write{1, image, {}, {}};
+    check_refused("slot left empty", invalid, "target", set({read}));
+    check_refused("slot given twice", invalid, "source", set({read, read, write}));
+    check_refused("slot that is not there", invalid, "bad set", set({read, write, {7, image, {}, {}}}));
+    check_refused("missing usage", invalid, "image", set({{0, image, sampler, {}}, write}));
+    check_refused("no sampler", invalid, "source", set({{0, source, {}, {}}, write}));
+    check_refused("unknown texture", invalid, "source", set({{0, Texture{999999}, sampler, {}}, write}));
+    const auto volume = h.texture("volume", Format::rgba16_float, {4, 4, 4}, Usage::sampled | Usage::storage, Dimension::d3);
+    check_refused("wrong dimension", invalid, "volume", set({read, {1, volume, {}, {}}}));
+    const auto fine = h.bind(pipeline, {read, write});
+    CHECK(fine);
+}
+
+void check_deferred_destroy(const Target& target) {
+    Harness h(target);
+    const Extent extent{8, 4, 1};
+    const std::vector<Texel> texels(32, Texel{1, 2, 3, 4});
+    const auto source = h.filled("source", extent, texels);
+    const auto image = h.texture("image", Format::rgba32_float, extent, Usage::storage | Usage::copy_source);
+    const auto pipeline = h.compute(shaders::conformance_copy);
+
+    // Made, recorded, destroyed, and only then submitted.
+    const Sampler sampler = target.device.create_sampler({Filter::nearest});
+    const Binding bindings[] = {{0, source, sampler, {}}, {1, image, {}, {}}};
+    const BindingSet set = target.device.create_binding_set({"short-lived set", pipeline, bindings});
+    const Texture unused =
+        target.device.create_texture({"short-lived texture", Dimension::d2, Format::rgba16_float, {64, 64, 1}, Usage::sampled});
+    h.use(image, State::storage_write);
+    h.dispatch(pipeline, set, {1, 1, 1});
+    constexpr std::uint64_t far_future = 1u << 30;
+    target.device.destroy(set, far_future);
+    target.device.destroy(sampler, far_future);
+    target.device.destroy(unused, 0);
+    target.device.destroy(Texture{}, 0);  // null: nothing
+    target.device.collect(0);
+    CHECK(h.read(image) == texels);
+    target.device.collect(far_future);
+}
+
+}  // namespace aureole::conformance

@@ -39,19 +39,28 @@ struct ViewBlock {
     vec4 up;            // unit vector from the planet's centre to the camera, world axes
     vec4 east;          // any horizontal unit vector, world axes; up, east, north right-handed
     vec4 north;
-    // Rays: direction(x, y) = ray_origin + x * ray_x + y * ray_y in world axes (not normalized), x and y in [0, 1] from the
-    // target's first row; meaning by kind (composite.glsl).
+    // Rays of the target's point (x, y), each in [0, 1], from the first row's first corner; world axes, by kind:
+    //   matrix: direction = ray_origin + x ray_x + y ray_y. Perspective: not normalized, its component along `forward` is 1, so
+    //     that distance = view depth * length. Orthographic: the same unit vector everywhere.
+    //   panorama, with a = (2 x - 1) pi and e = (1/2 - y) pi:
+    //     direction = cos(e) (cos(a) ray_origin + sin(a) ray_x) + sin(e) ray_y.
+    //   fisheye, with (p, q) in the inscribed unit circle, p along rows, q towards the first row, z = |(p, q)| pi/2:
+    //     direction = sin(z) (p ray_x + q ray_origin) / |(p, q)| + cos(z) ray_y. Not mirrored: the sky as seen from below.
+    //   The host has turned the vectors for either order of rows.
     vec4 ray_origin, ray_x, ray_y;  // ray_origin.w: kind: 0 matrix, 1 panorama, 2 fisheye
     vec4 forward;       // unit vector of the view axis; w: 1 orthographic
-    vec4 depth;         // view depth along forward, km = (x * d + y) / (z * d + w)
+    vec4 depth;         // view depth along forward, km = (x * d + y) / (z * d + w), d in [0, 1]; +infinity where d tells nothing
     vec4 froxels;       // x: distance of the last slice, km; y: 1 / x; z: exposure of the tables (pre-exposure); w: its inverse
     vec4 composite;     // x: exposure; y: frame number for the dither, z, w: unused
     // Suns. direction: world axes, w: cosine of the zenith angle at the camera (mu_s).
     vec4 sun_direction[MAX_SUNS];
     vec4 sun_azimuth[MAX_SUNS];     // unit horizontal vector towards the sun, world axes; w: sine of the zenith angle
     vec4 sun_irradiance[MAX_SUNS];  // rgb; w: count of suns (same in all)
-    vec4 sun_disk[MAX_SUNS];        // x: sin^2 of half the angular radius * 4 (squared chord), y: 1 / x, z: radiance of the disk per irradiance
-                                    // (1/sr, at mu = 1), w: 1 if limb darkening
+    // The disk, by the squared chord c = |v - sun|^2 of unit vectors (4 sin^2 of half the angle, exact in float): inside where
+    // c < sun_limb.w, there radiance = irradiance * sun_disk.rgb * pow(mu, sun_limb.rgb) with mu = sqrt(1 - c * sun_disk.w). Its
+    // integral over the disk is the irradiance.
+    vec4 sun_disk[MAX_SUNS];        // rgb: radiance at the centre per irradiance, 1/sr; w: 1 / sun_limb.w (0: no disk)
+    vec4 sun_limb[MAX_SUNS];        // rgb: exponent of limb darkening (0: none); w: squared chord of the radius (0: no disk)
 };
 
 #endif

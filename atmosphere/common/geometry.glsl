@@ -31,6 +31,16 @@ real distance_to_top(real altitude, real mu) {
     return mu > 0 ? c / max(b + root, real(1e-20)) : root - b;
 }
 
+// Distance to where the ray passes another altitude: on its way up from its lowest point, or on its way down to it. Where it
+// never gets that low, the distance of the lowest point.
+real distance_to_altitude(real altitude, real mu, real target, bool upwards) {
+    real b = (bottom_radius() + altitude) * mu;
+    real c = (target - altitude) * (2 * bottom_radius() + target + altitude);
+    real root = sqrt(max(b * b + c, real(0)));
+    if (upwards) return b > 0 ? c / max(b + root, real(1e-20)) : root - b;
+    return b < 0 ? -c / max(root - b, real(1e-20)) : -b - root;
+}
+
 // Distance to the ground of a ray that hits it (mu at or below the horizon's).
 real distance_to_ground(real altitude, real mu) {
     real b = (bottom_radius() + altitude) * mu;

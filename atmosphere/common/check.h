@@ -1,0 +1,30 @@
+// Rejecting values: every message names field, value and allowed range.
+#pragma once
+
+#include <aureole/parameters.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace aureole::detail {
+
+/// Shortest text that reads back as the same number; "nan" and "inf" for those.
+[[nodiscard]] std::string print(double value);
+/// "in [low, high]"
+[[nodiscard]] std::string range_text(double low, double high);
+/// "<field>[<index>]"
+[[nodiscard]] std::string element(std::string_view field, std::size_t index);
+
+/// Throws Error(invalid_argument).
+[[noreturn]] void reject(std::string_view field, std::string_view value, std::string_view allowed);
+
+/// Rejects everything outside [low, high], and NaN.
+void check(std::string_view field, double value, double low, double high);
+/// The same for each of ".r", ".g", ".b" (or ".x", ".y", ".z").
+void check_rgb(const std::string& field, const Rgb& value, double low, double high);
+void check_xyz(const std::string& field, const glm::dvec3& value, double low, double high);
+/// Number of entries of a list.
+void check_count(std::string_view field, std::size_t count, std::size_t low, std::size_t high);
+
+}  // namespace aureole::detail

@@ -1,0 +1,199 @@
+#include "common/pack_atmosphere.h"
+
+#include "common/formulas.h"
+#include "common/resample.h"
+#include "phase/distinct.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace aureole::detail {
+namespace {
+
+using Air = kernels::AirFormulas<double>;
+using Vec4 = glm::dvec4;
+
+template <class... F>
+struct Overload : F... {
+    using F::operator()...;
+};
+
+constexpr double per_km = 1000;  // 1/m to 1/km
+constexpr double km = 1e-3;      // m to km
+
+/// theta = pi s; the integral over the sphere is that of 2 pi sin(theta) dtheta.
+const TableAxis& phase_axis() {
+    static const TableAxis axis{
+        .x_of_s = [](double s) { return std::numbers::pi * s; },
+        .s_of_x = [](double theta) { return theta / std::numbers::pi; },
+        .weight = [](double s) { return 2 * std::numbers::pi * std::numbers::pi * std::sin(std::numbers::pi * s); },
+    };
+    return axis;
+}
+
+/// h = highest s^2; a column is the integral of dh = 2 highest s ds.
+TableAxis profile_axis(double highest) {
+    return {
+        .x_of_s = [highest](double s) { return highest * s * s; },
+        .s_of_x = [highest](double h) { return std::sqrt(h / highest); },
+        .weight = [highest](double s) { return 2 * highest * s; },
+    };
+}
+
+/// One row of the phase table: any scale in, an integral of 1 over the sphere out.
+std::vector<double> phase_row(const TabulatedPhase& phase) {
+    const double peak = *std::max_element(phase.value.begin(), phase.value.end());
+    std::vector<double> value = phase.value;
+    for (double& v : value) v /= peak;  // neither overflows nor vanishes in the sum
+    std::vector<double> row = resample(phase.angle_rad, value, table_width, phase_axis());
+    const double whole = integral(row, phase_axis());
+    for (double& v : row) v /= whole;
+    return row;
+}
+
+void append(std::vector<double>& table, const std::vector<double>& row) { table.insert(table.end(), row.begin(), row.end()); }
+
+/// Kind and parameters of a phase function (phase.glsl); a tabulated one becomes a row of the table, normalized.
+int pack_phase(const PhaseFunction& phase, Vec4& parameters, std::vector<double>& table) {
+    parameters = Vec4(0);
+    return std::visit(
+        Overload{
+            [](const RayleighPhase&) { return Air::PHASE_RAYLEIGH; },
+            [&](const HenyeyGreensteinPhase& p) {
+                parameters.x = p.g;
+                return Air::PHASE_HENYEY_GREENSTEIN;
+            },
+            [&](const CornetteShanksPhase& p) {
+                parameters.x = p.g;
+                return Air::PHASE_CORNETTE_SHANKS;
+            },
+            [&](const HenyeyGreensteinDrainePhase& p) {
+                parameters = {p.g_hg, p.g_draine, p.alpha, p.weight};
+                return Air::PHASE_HG_DRAINE;
+            },
+            [&](const TabulatedPhase& p) {
+                parameters.x = static_cast<double>(table.size() / table_width);
+                append(table, phase_row(p));
+                return Air::PHASE_TABULATED;
+            },
+        },
+        phase);
+}
+
+int pack_profile(const Profile& profile, double highest_km, Vec4& parameters, std::vector<double>& table) {
+    parameters = Vec4(0);
+    return std::visit(Overload{
+                          [&](const ExponentialProfile& p) {
+                              parameters.x = 1 / (p.scale_height_m * km);
+                              return Air::PROFILE_EXPONENTIAL;
+                          },
+                          [&](const TentProfile& p) {
+                              parameters.x = p.center_m * km;
+                              parameters.y = 1 / (p.half_width_m * km);
+                              return Air::PROFILE_TENT;
+                          },
+                          [&](const TabulatedProfile& p) {
+                              parameters.w = static_cast<double>(table.size() / table_width);
+                              std::vector<double> altitude_km = p.altitude_m;
+                              for (double& h : altitude_km) h *= km;
+                              append(table, resample(altitude_km, p.density, table_width, profile_axis(highest_km)));
+                              return Air::PROFILE_TABULATED;
+                          },
+                      },
+                      profile);
+}
+
+/// The highest altitude at which a tabulated profile still changes, inside the shell: beyond it, the last texel holds.
+double highest_tabulated_km(const std::vector<DensityTerm>& terms, double shell_km) {
+    double highest = 0;
+    for (const DensityTerm& term : terms)
+        if (const auto* table = std::get_if<TabulatedProfile>(&term.profile))
+            highest = std::max(highest, std::min(table->altitude_m.back() * km, shell_km));
+    return highest > 0 ? highest : shell_km;
+}
+
+void pack_phases(ExactAtmosphere& air) {
+    AirStructure& structure = air.structure;
+    structure.phase_count = static_cast<int>(air.phases.size());
+    for (int c = 0; c < structure.phase_count; ++c) {
+        const int kind = pack_phase(air.phases[static_cast<std::size_t>(c)], air.block.phase_parameters[c], air.phase_table);
+        structure.phase_kinds |= kind << (4 * c);
+        if (kind != Air::PHASE_RAYLEIGH) structure.sharp_phases |= 1u << c;
+    }
+}
+
+void pack_terms(const AtmosphereParameters& parameters, ExactAtmosphere& air) {
+    std::vector<DensityTerm> terms;
+    for (const DensityTerm& term : parameters.terms)
+        if (scatters(term) || term.absorption_per_m != Rgb(0)) terms.push_back(term);
+    air.block.tables.y = highest_tabulated_km(terms, air.block.radii.z);
+    air.structure.term_count = static_cast<int>(terms.size());
+    unsigned kinds = 0, phases = 0;
+    for (unsigned i = 0; i < terms.size(); ++i) {
+        const DensityTerm& term = terms[i];
+        const int kind = pack_profile(term.profile, air.block.tables.y, air.block.term_profile[i], air.profile_table);
+        kinds |= static_cast<unsigned>(kind) << (2 * i);
+        if (scatters(term)) phases |= static_cast<unsigned>(phase_index(air.phases, term.phase)) << (2 * i);
+        air.block.term_scattering[i] = Vec4(term.scattering_per_m * per_km, 0);
+        air.block.term_extinction[i] = Vec4((term.scattering_per_m + term.absorption_per_m) * per_km, 0);
+    }
+    air.structure.term_kinds = static_cast<int>(kinds);
+    air.structure.term_phases = static_cast<int>(phases);
+    air.block.tables.x = static_cast<double>(air.profile_table.size() / table_width);
+}
+
+void pack_planet(const Planet& planet, Blocks<double>::AtmosphereBlock& block) {
+    const double bottom = planet.bottom_radius_m * km, shell = (planet.top_radius_m - planet.bottom_radius_m) * km;
+    block.radii = {bottom, planet.top_radius_m * km, shell, std::sqrt(shell * (2 * bottom + shell))};
+    block.ground_albedo = Vec4(planet.ground_albedo, 0);
+}
+
+void pack_moments(const ExactAtmosphere& air, Blocks<double>::AtmosphereBlock& block) {
+    constexpr int count = 12;
+    for (int c = 0; c < air.structure.phase_count; ++c) {
+        const std::vector<double> moments = legendre_moments(air.phases[static_cast<std::size_t>(c)], count);
+        for (int l = 0; l < count; ++l) block.phase_moments[3 * c + l / 4][l % 4] = moments[static_cast<std::size_t>(l)];
+    }
+}
+
+std::vector<float> to_float(const std::vector<double>& table) {
+    std::vector<float> result(table.size());
+    std::transform(table.begin(), table.end(), result.begin(), [](double v) { return static_cast<float>(v); });
+    return result;
+}
+
+}  // namespace
+
+ExactAtmosphere pack_exact(const AtmosphereParameters& parameters) {
+    ExactAtmosphere air;
+    air.phases = distinct_phases(parameters.terms);
+    if (air.phases.empty()) air.phases.emplace_back(RayleighPhase{});
+    pack_phases(air);
+    pack_planet(parameters.planet, air.block);
+    pack_terms(parameters, air);
+    return air;
+}
+
+ExactAtmosphere pack_exact(const PhaseFunction& phase) {
+    ExactAtmosphere air;
+    air.phases = {phase};
+    pack_phases(air);
+    return air;
+}
+
+PackedAtmosphere pack_atmosphere(const AtmosphereParameters& parameters) {
+    validate(parameters);
+    ExactAtmosphere air = pack_exact(parameters);
+    pack_moments(air, air.block);
+    PackedAtmosphere packed;
+    static_cast<AirStructure&>(packed) = air.structure;
+    packed.block = round_block<AtmosphereBlock>(air.block);
+    packed.profile_table = to_float(air.profile_table);
+    packed.phase_table = to_float(air.phase_table);
+    packed.profile_rows = static_cast<int>(packed.profile_table.size() / table_width);
+    packed.phase_rows = static_cast<int>(packed.phase_table.size() / table_width);
+    return packed;
+}
+
+}  // namespace aureole::detail

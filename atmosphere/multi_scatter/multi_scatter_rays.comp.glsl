@@ -17,27 +17,12 @@ IMAGE_2D(6, rays_out)
 SPEC_INT(8, RAY_NODES, 6)
 SPEC_BOOL(10, SINGLE_SCATTERING, true)
 SPEC_BOOL(11, MULTIPLE_SCATTERING, false)
-SPEC_INT(14, SHARPEST_DEGREE, 8)
 
 #include "common/march.glsl"
 #include "multi_scatter/directions.glsl"
+#include "phase/smooth_phase.glsl"
 
 LOCAL_SIZE(32, 1, 1)
-
-// The phase function cut off after Legendre degree SHARPEST_DEGREE: sum (2 l + 1) / (4 pi) p_l P_l(nu). Higher degrees hardly
-// reach the low moments that are wanted, but a sharp peak between two directions would be missed or counted double.
-real smooth_phase(int c, real nu) {
-    real p_before = real(1);
-    real p = nu;
-    real sum = real(1);
-    for (int l = 1; l <= SHARPEST_DEGREE; ++l) {
-        sum += real(2 * l + 1) * atm.phase_moments[3 * c + l / 4][l % 4] * p;
-        real p_next = (real(2 * l + 1) * nu * p - real(l) * p_before) / real(l + 1);
-        p_before = p;
-        p = p_next;
-    }
-    return sum / (4 * PI);
-}
 
 COMPUTE_MAIN(id) {
     ivec2 size = imageSize(rays_out);

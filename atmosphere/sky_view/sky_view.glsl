@@ -29,32 +29,47 @@ real sky_view_angle_position(real angle, real range) { return sqrt(clamp(angle /
 real sky_view_upper_range() { return view.camera.w > real(0.5) ? view.space.z - view.space.y : real(0.5) * PI + view.camera.z; }
 real sky_view_lower_range() { return real(0.5) * PI - (view.camera.w > real(0.5) ? view.space.z : view.camera.z); }
 
-// x position of an azimuth with cosine c, and the cosine at a position.
-real sky_view_azimuth_position(real azimuth_cosine) { return real(0.5) - real(0.5) * clamp(azimuth_cosine, real(-1), real(1)); }
-real sky_view_azimuth_cosine(real position) { return 1 - 2 * position; }
+// x position of an azimuth with cosine c, and the cosine at a position. The published 2020 table uses sin(azimuth / 2).
+SPEC_BOOL(7, PUBLISHED_AZIMUTH, false)
+real sky_view_azimuth_position(real azimuth_cosine) {
+    real x = clamp(real(0.5) - real(0.5) * azimuth_cosine, real(0), real(1));
+    return PUBLISHED_AZIMUTH ? sqrt(x) : x;
+}
+real sky_view_azimuth_cosine(real position) { return 1 - 2 * (PUBLISHED_AZIMUTH ? position * position : position); }
 
 #ifdef AUREOLE_SKY_VIEW_TABLE
-// Elevation above the horizontal (rad) as seen from the camera, cosine of the azimuth from sun `sun`, cosine nu from that sun.
-vec3 sky_view_radiance(int sun, real elevation, real azimuth_cosine, real nu) {
+// Texture coordinates of layer 0 of a sun for a direction: elevation above the horizontal (rad) at the camera and cosine of the
+// azimuth from the sun's. z: 0 where a camera in space looks past the air.
+vec3 sky_view_coordinates(int sun, real elevation, real azimuth_cosine) {
     real dip = view.camera.w > real(0.5) ? view.space.z : view.camera.z;
     real angle = elevation + dip;
     bool below = angle < 0;
-    if (!below && angle > sky_view_upper_range() && view.camera.w > real(0.5)) return vec3(real(0));
     ivec2 size = textureSize(sky_view_table, 0);
     int rows = size.y / (SUN_COUNT * sky_view_layers());
     int half_rows = rows / 2;
-    real position = sky_view_angle_position(abs(angle), below ? sky_view_lower_range() : sky_view_upper_range());
-    real row = real(0.5) + position * real(half_rows - 1) + (below ? real(0) : real(half_rows)) + real(sun * sky_view_layers() * rows);
-    real u = unit_to_texture(sky_view_azimuth_position(azimuth_cosine), size.x);
-    vec3 radiance = vec3(SAMPLE(sky_view_table, vec2(u, row / real(size.y))));
+    real range = below ? sky_view_lower_range() : sky_view_upper_range();
+    real row = real(0.5) + sky_view_angle_position(abs(angle), range) * real(half_rows - 1) +
+               real(sun * sky_view_layers() * rows + (below ? 0 : half_rows));
+    bool past = view.camera.w > real(0.5) && angle > range;
+    return vec3(unit_to_texture(sky_view_azimuth_position(azimuth_cosine), size.x), row / real(size.y), past ? real(0) : real(1));
+}
+vec3 sky_view_layer(vec3 coordinates, int layer) {
+    real offset = real(layer) / real(SUN_COUNT * sky_view_layers());
+    return vec3(SAMPLE(sky_view_table, vec2(coordinates.x, coordinates.y + offset)));
+}
+
+// Radiance per unit of the sun's irradiance, 1/sr; nu is the cosine between the direction and the sun.
+vec3 sky_view_radiance(int sun, real elevation, real azimuth_cosine, real nu) {
+    vec3 coordinates = sky_view_coordinates(sun, elevation, azimuth_cosine);
+    vec3 radiance = sky_view_layer(coordinates, 0);
     int layer = 1;
     for (int c = 0; c < PHASE_COUNT; ++c) {
-        if (!phase_is_sharp(c)) continue;
-        vec3 single = vec3(SAMPLE(sky_view_table, vec2(u, (row + real(layer * rows)) / real(size.y))));
-        radiance += single * phase_function(phase_kind(c), atm.phase_parameters[c], nu);
-        ++layer;
+        if (phase_is_sharp(c)) {
+            radiance += sky_view_layer(coordinates, layer) * phase_function(phase_kind(c), atm.phase_parameters[c], nu);
+            ++layer;
+        }
     }
-    return radiance * view.froxels.w;
+    return radiance * (coordinates.z * view.froxels.w);
 }
 #endif
 

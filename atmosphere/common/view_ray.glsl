@@ -1,0 +1,86 @@
+// From a point of the target to a direction, and from the depth buffer to a distance. Needs `view` (ViewBlock, blocks.glsl).
+#ifndef AUREOLE_VIEW_RAY_GLSL
+#define AUREOLE_VIEW_RAY_GLSL
+
+#include "common/constants.glsl"
+#include "common/geometry.glsl"
+
+struct ViewRay {
+    vec3 direction;  // unit, world axes
+    real stretch;    // distance along it per unit of view depth
+    bool valid;      // false outside a fisheye's circle
+};
+
+// (x, y) in [0, 1]^2 of the target.
+ViewRay view_ray(real x, real y) {
+    ViewRay ray;
+    ray.stretch = real(1);
+    ray.valid = true;
+    vec3 a = vec3(view.ray_origin);
+    vec3 b = vec3(view.ray_x);
+    vec3 c = vec3(view.ray_y);
+    if (view.ray_origin.w < real(0.5)) {
+        vec3 d = a + x * b + y * c;
+        ray.stretch = sqrt(dot(d, d));
+        ray.direction = d / ray.stretch;
+    } else if (view.ray_origin.w < real(1.5)) {
+        real azimuth = (2 * x - 1) * PI;
+        real elevation = (real(0.5) - y) * PI;
+        ray.direction = cos(elevation) * (cos(azimuth) * a + sin(azimuth) * b) + sin(elevation) * c;
+    } else {
+        real p = 2 * x - 1;
+        real q = 1 - 2 * y;
+        real radius = sqrt(p * p + q * q);
+        real zenith = min(radius, real(1)) * real(0.5) * PI;
+        real scale = sin(zenith) / max(radius, real(1e-6));
+        ray.direction = scale * (p * b + q * a) + cos(zenith) * c;
+        ray.valid = radius <= 1;
+    }
+    return ray;
+}
+
+// A direction as seen from the camera: its parts along and across the vertical. The elevation comes from both, so that it is
+// exact near the zenith as near the horizon.
+struct ViewDirection {
+    real mu;
+    real sine;       // of the zenith angle
+    vec3 horizontal; // unit (any horizontal vector at the zenith)
+    real elevation;  // above the horizontal, rad
+};
+ViewDirection view_direction(vec3 direction) {
+    ViewDirection v;
+    vec3 up = vec3(view.up);
+    v.mu = dot(direction, up);
+    vec3 across = direction - v.mu * up;
+    v.sine = sqrt(dot(across, across));
+    v.horizontal = v.sine > real(1e-6) ? across / v.sine : vec3(view.east);
+    v.elevation = atan(v.mu, v.sine);
+    return v;
+}
+
+// Distance at which a camera above the air enters it, 0 inside it, -1 if the ray misses it.
+real distance_to_air(ViewDirection v) {
+    if (view.camera.w < real(0.5)) return real(0);
+    real r = bottom_radius() + view.space.x;
+    real top = bottom_radius() + shell_thickness();
+    real lowest = r * v.sine;  // of the ray's line, from the centre
+    if (v.mu >= 0 || lowest > top) return real(-1);
+    return max(-r * v.mu - sqrt((top - lowest) * (top + lowest)), real(0));
+}
+
+// Ray in the air for a direction, from where it starts there; its end is for the caller to set.
+Ray air_ray(ViewDirection v, real entry, int sun, real nu) {
+    Ray ray;
+    real r = bottom_radius() + view.space.x;
+    real top = bottom_radius() + shell_thickness();
+    bool space = view.camera.w > real(0.5);
+    ray.altitude = view.camera.x;
+    ray.mu = space ? clamp((r * v.mu + entry) / top, real(-1), real(1)) : v.mu;
+    ray.nu = nu;
+    ray.mu_s = space ? clamp((r * view.sun_direction[sun].w + entry * nu) / top, real(-1), real(1)) : view.sun_direction[sun].w;
+    ray.ground = false;
+    ray.end = real(0);
+    return ray;
+}
+
+#endif

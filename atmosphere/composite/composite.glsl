@@ -1,0 +1,114 @@
+// The composite: what a pixel shows. Sky and bare ground from the sky-view table; the sun's disk; the host's geometry seen
+// through the air in front of it. Then, if asked for, exposure, tone map, the sRGB curve and dither, in this order.
+#ifndef AUREOLE_COMPOSITE_GLSL
+#define AUREOLE_COMPOSITE_GLSL
+
+#include "common/constants.glsl"
+#include "common/blocks.glsl"
+#include "common/specialization.glsl"
+
+#define AUREOLE_PHASE_TABLE 7
+#define AUREOLE_TRANSMITTANCE_TABLE
+#define AUREOLE_SKY_VIEW_TABLE
+#define AUREOLE_AERIAL_PERSPECTIVE_TABLE
+UNIFORMS(0, AtmosphereBlock, atm)
+UNIFORMS(1, ViewBlock, view)
+SAMPLER_2D(2, sky_view_table)
+SAMPLER_2D(3, transmittance_table)
+SAMPLER_3D(4, aerial_perspective_table)
+SAMPLER_2D(5, scene_color)
+SAMPLER_2D(6, scene_depth)
+SAMPLER_2D(8, directions)
+
+SPEC_BOOL(16, SCENE_COLOR, false)
+SPEC_BOOL(17, SCENE_DEPTH, false)
+SPEC_BOOL(18, AERIAL_PERSPECTIVE, false)
+SPEC_BOOL(19, SUN_DISK, true)
+SPEC_INT(20, TONE_MAP, 0)  // 0 none, 1 ACES as fitted by Hill
+SPEC_BOOL(21, ENCODE_SRGB, false)
+SPEC_BOOL(22, DITHER, false)
+SPEC_BOOL(23, GIVEN_DIRECTIONS, false)
+
+struct CompositeTarget {
+    vec4 size;  // x, y: width and height of the target
+};
+PUSH_CONSTANTS(CompositeTarget, target)
+
+#include "common/view_ray.glsl"
+#include "transmittance/transmittance.glsl"
+#include "sky_view/sky_view.glsl"
+#include "aerial_perspective/aerial_perspective.glsl"
+#include "composite/display.glsl"
+
+// Transmittance from the camera to space; 0 where the ground is in the way.
+vec3 transmittance_to_space(ViewDirection v) {
+    real dip = view.camera.w > real(0.5) ? view.space.z : view.camera.z;
+    if (v.elevation < -dip) return vec3(real(0));
+    real entry = distance_to_air(v);
+    if (entry < 0) return vec3(real(1));
+    Ray ray = air_ray(v, entry, 0, real(0));
+    vec3 depth = optical_depth_to_top(ray.altitude, max(ray.mu, -ray.mu));
+    if (ray.mu >= 0) return exp(-depth);
+    // Down to the lowest point and up again: twice the way from there, less the way from the camera backwards.
+    real lowest = -(bottom_radius() + ray.altitude) * ray.mu;
+    return exp(depth - real(2) * optical_depth_to_top(altitude_after(ray.altitude, ray.mu, lowest), real(0)));
+}
+
+// The disk of a sun where the view direction meets it, limb-darkened, through the air.
+vec3 disk_radiance(int sun, vec3 direction, ViewDirection v) {
+    vec3 apart = direction - vec3(view.sun_direction[sun]);
+    real chord = dot(apart, apart);
+    if (chord >= view.sun_limb[sun].w) return vec3(real(0));
+    real mu = sqrt(max(1 - chord * view.sun_disk[sun].w, real(1e-6)));
+    vec3 limb = pow(vec3(mu), vec3(view.sun_limb[sun]));
+    return vec3(view.sun_irradiance[sun]) * vec3(view.sun_disk[sun]) * limb * transmittance_to_space(v);
+}
+
+vec3 sky(vec3 direction, ViewDirection v) {
+    vec3 radiance = vec3(real(0));
+    for (int sun = 0; sun < SUN_COUNT; ++sun) {
+        real azimuth_cosine = dot(v.horizontal, vec3(view.sun_azimuth[sun]));
+        real nu = dot(direction, vec3(view.sun_direction[sun]));
+        radiance += vec3(view.sun_irradiance[sun]) * sky_view_radiance(sun, v.elevation, azimuth_cosine, nu);
+        if (SUN_DISK) radiance += disk_radiance(sun, direction, v);
+    }
+    return radiance;
+}
+
+// Scene-linear radiance of a pixel.
+vec3 pixel_radiance(ivec2 pixel) {
+    real x = (real(pixel.x) + real(0.5)) / target.size.x;
+    real y = (real(pixel.y) + real(0.5)) / target.size.y;
+    ViewRay ray = view_ray(x, y);
+    if (GIVEN_DIRECTIONS) {
+        ray.direction = normalize(vec3(texelFetch(directions, pixel, 0)));
+        ray.valid = true;
+    }
+    if (!ray.valid) return vec3(real(0));
+    ViewDirection v = view_direction(ray.direction);
+    vec3 color = SCENE_COLOR ? vec3(texelFetch(scene_color, pixel, 0)) : vec3(real(0));
+
+    real distance_km = real(-1);  // nothing there
+    if (SCENE_DEPTH) {
+        real d = texelFetch(scene_depth, pixel, 0).x;
+        real divisor = view.depth.z * d + view.depth.w;
+        real depth = (view.depth.x * d + view.depth.y) / divisor;
+        // At infinity the divisor vanishes: 1e7 km is beyond any geometry.
+        if (abs(divisor) > real(1e-12) && depth > 0 && depth < real(1e7)) distance_km = depth * ray.stretch;
+    }
+    if (distance_km < 0) {
+        vec3 radiance = sky(ray.direction, v);
+        return SCENE_COLOR ? radiance + color * transmittance_to_space(v) : radiance;
+    }
+    if (!AERIAL_PERSPECTIVE) return color;
+    real entry = distance_to_air(v);
+    if (entry < 0 || distance_km < entry) return color;
+    AerialPerspective air = aerial_perspective(x, y, distance_km - entry, ray.direction);
+    return color * air.transmittance + air.radiance;
+}
+
+vec4 composite_pixel(ivec2 pixel) {
+    return vec4(display(pixel_radiance(pixel) * view.composite.x, pixel), real(1));
+}
+
+#endif

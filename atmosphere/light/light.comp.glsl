@@ -1,0 +1,89 @@
+// Light for the host's own materials: SH-L2 of the sky as the camera's position sees it, and the sun's irradiance there.
+// One invocation a texel of the light table: column 0..8 the coefficient in world axes, real basis, order 00, 1-1, 10, 11, 2-2, ..,
+// 22 (y, z, x; xy, yz, z^2, xz, x^2 - y^2); column 9 the sun. Row: sun. Ramamoorthi & Hanrahan 2001 turn the coefficients into
+// the irradiance of a surface (see aureole.glsl). Radiance from below the horizon, reflected by the ground, is part of it.
+#include "common/constants.glsl"
+#include "common/blocks.glsl"
+#include "common/specialization.glsl"
+
+#define AUREOLE_PHASE_TABLE 7
+#define AUREOLE_TRANSMITTANCE_TABLE
+#define AUREOLE_SKY_VIEW_TABLE
+UNIFORMS(0, AtmosphereBlock, atm)
+UNIFORMS(1, ViewBlock, view)
+SAMPLER_2D(2, sky_view_table)
+SAMPLER_2D(3, transmittance_table)
+UNIFORMS(4, QuadratureBlock, zenith_quadrature)
+IMAGE_2D(5, light_out)
+
+#include "common/geometry.glsl"
+#include "transmittance/transmittance.glsl"
+#include "sky_view/sky_view.glsl"
+#include "phase/smooth_phase.glsl"
+#include "light/harmonics.glsl"
+
+CONST(int, LIGHT_ZENITHS, 8)
+CONST(int, LIGHT_AZIMUTHS, 12)
+
+LOCAL_SIZE(10, 1, 1)
+
+// Sky radiance for the integral: aerosols' phases without their peak, which the few directions would miss or exaggerate.
+vec3 smooth_radiance(int sun, real elevation, real azimuth_cosine, real nu) {
+    vec3 coordinates = sky_view_coordinates(sun, elevation, azimuth_cosine);
+    vec3 radiance = sky_view_layer(coordinates, 0);
+    int layer = 1;
+    for (int c = 0; c < PHASE_COUNT; ++c) {
+        if (phase_is_sharp(c)) {
+            radiance += sky_view_layer(coordinates, layer) * smooth_phase(c, nu);
+            ++layer;
+        }
+    }
+    return radiance * (coordinates.z * view.froxels.w);
+}
+
+vec3 sky_coefficient(int sun, int coefficient) {
+    vec3 up = vec3(view.up);
+    vec3 towards = vec3(view.sun_azimuth[sun]);
+    vec3 side = cross(up, towards);
+    real dip = view.camera.w > real(0.5) ? view.space.z : view.camera.z;
+    vec3 sum = vec3(real(0));
+    for (int half_sphere = 0; half_sphere < 2; ++half_sphere) {
+        bool below = half_sphere == 1;
+        real range = below ? sky_view_lower_range() : sky_view_upper_range();
+        for (int i = 0; i < LIGHT_ZENITHS; ++i) {
+            real s = zenith_quadrature.node[i].x;
+            real angle = range * s * s;
+            real elevation = (below ? -angle : angle) - dip;
+            real weight = zenith_quadrature.node[i].y * range * 2 * s * cos(elevation) * (2 * PI / real(LIGHT_AZIMUTHS));
+            for (int k = 0; k < LIGHT_AZIMUTHS; ++k) {
+                real azimuth = 2 * PI * (real(k) + real(0.5)) / real(LIGHT_AZIMUTHS);
+                vec3 direction = cos(elevation) * (cos(azimuth) * towards + sin(azimuth) * side) + sin(elevation) * up;
+                real nu = dot(direction, vec3(view.sun_direction[sun]));
+                sum += smooth_radiance(sun, elevation, cos(azimuth), nu) * (weight * world_harmonic(coefficient, direction));
+            }
+        }
+    }
+    return sum;
+}
+
+// Share of a disk above a straight horizon, x radii above its centre.
+real visible_share(real x) {
+    real c = clamp(x, real(-1), real(1));
+    return real(0.5) + (c * sqrt(max(1 - c * c, real(0))) + asin(c)) / PI;
+}
+
+// Irradiance of a surface that faces the sun, from what the horizon leaves of its disk.
+vec3 sun_at_camera(int sun) {
+    if (view.camera.w > real(0.5)) return vec3(real(1));
+    real elevation = atan(view.sun_direction[sun].w, view.sun_azimuth[sun].w);
+    real radius = max(sqrt(view.sun_limb[sun].w), real(1e-6));
+    vec3 transmittance = transmittance_to_top(view.camera.x, view.sun_direction[sun].w);
+    return transmittance * visible_share((elevation + view.camera.z) / radius);
+}
+
+COMPUTE_MAIN(id) {
+    int sun = id.y;
+    if (id.x > 9 || sun >= SUN_COUNT) return;
+    vec3 value = id.x < 9 ? sky_coefficient(sun, id.x) : sun_at_camera(sun);
+    imageStore(light_out, ivec2(id.x, sun), vec4(value * vec3(view.sun_irradiance[sun]), real(1)));
+}

@@ -1,0 +1,30 @@
+// The transmittance table by uniform steps, as published.
+#include "common/constants.glsl"
+#include "common/blocks.glsl"
+#include "common/specialization.glsl"
+
+#define AUREOLE_PROFILE_TABLE 2
+UNIFORMS(0, AtmosphereBlock, atm)
+IMAGE_2D(3, transmittance_out)
+SPEC_INT(8, RAY_STEPS, 40)
+
+#include "common/geometry.glsl"
+#include "medium/medium.glsl"
+#include "transmittance/transmittance.glsl"
+
+LOCAL_SIZE(64, 1, 1)
+
+COMPUTE_MAIN(id) {
+    ivec2 size = imageSize(transmittance_out);
+    if (id.x >= size.x || id.y >= size.y) return;
+    vec2 p = transmittance_altitude_mu(vec2(texel_to_unit(id.x, size.x), texel_to_unit(id.y, size.y)));
+    real end = distance_to_top(p.x, p.y);
+    vec3 depth = vec3(real(0));
+    real before = real(0);
+    for (int i = 0; i < RAY_STEPS; ++i) {
+        real t = end * (real(i) + real(0.3)) / real(RAY_STEPS);
+        depth += medium_extinction(altitude_after(p.x, p.y, t)) * (t - before);
+        before = t;
+    }
+    imageStore(transmittance_out, ivec2(id.x, id.y), vec4(depth, real(0)));
+}

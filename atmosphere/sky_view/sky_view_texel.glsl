@@ -1,0 +1,42 @@
+// One texel of the sky-view table, whichever way the ray is marched: needs RayLight march(Ray), sky_view.glsl.
+#ifndef AUREOLE_SKY_VIEW_TEXEL_GLSL
+#define AUREOLE_SKY_VIEW_TEXEL_GLSL
+
+#include "sky_view/camera_ray.glsl"
+
+void sky_view_texel(ivec2 id) {
+    ivec2 size = imageSize(sky_view_out);
+    int rows = size.y / (SUN_COUNT * sky_view_layers());
+    int sun = id.y / rows;
+    if (id.x >= size.x || sun >= SUN_COUNT) return;
+    int row = id.y % rows;
+    int half_rows = rows / 2;
+    bool below = row < half_rows;
+    real position = texel_to_unit(below ? row : row - half_rows, half_rows);
+    real angle = sky_view_angle(position, below ? sky_view_lower_range() : sky_view_upper_range());
+
+    Ray ray = camera_ray(below ? -angle : angle, sky_view_azimuth_cosine(texel_to_unit(id.x, size.x)), sun);
+    ray.ground = below;
+    if (below) ray.end = distance_to_ground(ray.altitude, ray.mu);
+    RayLight light = march(ray);
+    vec3 radiance = light.multiple;
+    if (below) {
+        real ground_mu_s = sun_mu_after(ray, ray.end, real(0));
+        vec3 irradiance = max(ground_mu_s, real(0)) * transmittance_to_sun(real(0), ground_mu_s) + ground_diffuse_irradiance(ground_mu_s);
+        radiance += exp(-light.depth) * (vec3(atm.ground_albedo) / PI) * irradiance;
+    }
+    real exposure = view.froxels.z;
+    int base = sun * sky_view_layers() * rows + row;
+    int layer = 1;
+    for (int c = 0; c < PHASE_COUNT; ++c) {
+        if (phase_is_sharp(c)) {
+            imageStore(sky_view_out, ivec2(id.x, base + layer * rows), vec4(light.single[c] * exposure, real(0)));
+            ++layer;
+        } else {
+            radiance += light.single[c] * phase_function(phase_kind(c), atm.phase_parameters[c], ray.nu);
+        }
+    }
+    imageStore(sky_view_out, ivec2(id.x, base), vec4(radiance * exposure, real(0)));
+}
+
+#endif

@@ -51,7 +51,7 @@ TEST_CASE("texel sizes agree with the formats' names") {
         {Format::d32_float, 4, 1},
     };
     for (const auto& e : expected) {
-        CAPTURE(to_string(e.format));
+        CAPTURE(std::string(to_string(e.format)));
         CHECK(rhi::bytes_per_texel(e.format) == e.bytes);
         CHECK(rhi::channel_count(e.format) == e.channels);
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "small_float.h"
@@ -146,7 +147,7 @@ TEST_CASE("srgb8 takes the nearest code on the sRGB scale") {
 TEST_CASE("missing channels read as zero and one") {
     for (const Format format : {Format::r8_unorm, Format::r16_float, Format::r32_float, Format::d32_float, Format::rg16_float,
                                 Format::rg32_float, Format::r11g11b10_float}) {
-        CAPTURE(to_string(format));
+        CAPTURE(std::string(to_string(format)));
         double rounded[4] = {0.5, 0.25, 0.125, 0.0625}, confined[4] = {0.5, 0.25, 0.125, 0.0625};
         quantize(format, rounded);
         confine(format, confined);

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
+
 namespace aureole::conformance {
 
 std::span<const Check> checks() {
@@ -35,7 +37,7 @@ std::span<const Check> checks() {
 
 void run_all(const Target& target) {
     for (const Check& check : checks()) {
-        INFO("conformance: ", check.name);
+        INFO("conformance: ", std::string(check.name));
         CHECK_NOTHROW(check.run(target));
     }
 }

@@ -25,8 +25,8 @@ std::vector<std::byte> pattern(Format format, std::size_t texels) {
 
 void check_round_trip(const Target& target, Format format, Extent extent, Dimension dimension) {
     if (!target.device.format_support(format, dimension).sampled) return;
-    CAPTURE(to_string(format));
-    CAPTURE(to_string(dimension));
+    CAPTURE(std::string(to_string(format)));
+    CAPTURE(std::string(to_string(dimension)));
     Harness h(target);
     const std::size_t faces = dimension == Dimension::cube ? 6 : 1;
     const auto bytes = pattern(format, faces * extent.width * extent.height * extent.depth);
@@ -53,7 +53,7 @@ void check_cube_copies(const Target& target) {
 
 void check_texture_copies(const Target& target) {
     for (const Dimension dimension : {Dimension::d2, Dimension::d3, Dimension::cube}) {
-        CAPTURE(to_string(dimension));
+        CAPTURE(std::string(to_string(dimension)));
         Harness h(target);
         const Extent extent{6, 6, dimension == Dimension::d3 ? 3u : 1u};
         const auto bytes = pattern(Format::rgba16_float, dimension == Dimension::d2   ? 36

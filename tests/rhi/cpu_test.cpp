@@ -1,5 +1,9 @@
 #include <aureole/cpu/cpu_device.h>
+#include <aureole/rhi/validation.h>
 #include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
 
 #include "rhi/conformance.h"
 
@@ -18,4 +22,30 @@ TEST_CASE("the CPU device in double does what every device must") {
 TEST_CASE("the CPU device with one thread does what every device must") {
     const auto device = cpu::create_cpu_device({.threads = 1});
     conformance::run_all({device->device(), device->queue(), true});
+}
+
+TEST_CASE("the validation device behaves as the device inside, and has nothing to say about correct use") {
+    const auto cpu_device = cpu::create_cpu_device({});
+    auto device = rhi::create_validation_device(cpu_device->device());
+    auto queue = rhi::create_validation_queue(*device, cpu_device->queue());
+    std::vector<std::string> messages;
+    const auto listen = [&] {
+        messages.clear();
+        device->set_message_callback([](void* user, rhi::Severity,
+                                        const char* text) { static_cast<std::vector<std::string>*>(user)->emplace_back(text); },
+                                     &messages);
+    };
+    for (const conformance::Check& check : conformance::checks()) {
+        INFO("conformance: ", std::string(check.name));
+        listen();
+        check.run({*device, *queue, true});
+        for (const std::string& text : messages) {
+            CAPTURE(text);
+            CHECK(text.find("\"bad ") != std::string::npos);  // so the check of refusals calls its objects
+        }
+    }
+    listen();
+    queue.reset();
+    device.reset();
+    CHECK(messages.empty());  // no object is left
 }

@@ -74,7 +74,7 @@ bool acceptable(Format format, std::size_t channel, double value, double got, bo
 }
 
 void compare(Format format, const std::vector<Texel>& wanted, const std::vector<Texel>& got, bool exact) {
-    CAPTURE(to_string(format));
+    CAPTURE(std::string(to_string(format)));
     REQUIRE(wanted.size() == got.size());
     for (std::size_t i = 0; i < wanted.size(); ++i)
         for (std::size_t c = 0; c < 4; ++c) {
@@ -152,7 +152,7 @@ void check_format_reads(const Target& target) {
          {Format::r8_unorm, Format::rgba8_unorm, Format::rgba8_srgb, Format::bgra8_unorm, Format::r16_float, Format::rg16_float,
           Format::rgba16_float, Format::r32_float, Format::rg32_float, Format::r11g11b10_float, Format::d32_float}) {
         if (!target.device.format_support(format, Dimension::d2).sampled) continue;
-        CAPTURE(to_string(format));
+        CAPTURE(std::string(to_string(format)));
         Harness h(target);
         const auto source = h.texture("source", format, extent, Usage::sampled | Usage::copy_destination);
         const auto packed = pack(format, texels);

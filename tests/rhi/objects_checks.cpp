@@ -40,13 +40,13 @@ namespace {
 
 /// The call throws an Error with this code that names the object.
 void check_refused(const char* what, ErrorCode code, const std::string& name, const std::function<void()>& call) {
-    CAPTURE(what);
+    CAPTURE(std::string(what));
     try {
         call();
         FAIL_CHECK("was accepted");
     } catch (const Error& error) {
         CHECK(error.code() == code);
-        CAPTURE(error.what());
+        CAPTURE(std::string(error.what()));
         CHECK(std::string(error.what()).find(name) != std::string::npos);
     }
 }

@@ -1,0 +1,47 @@
+// A device around any other device that watches how it is used and reports every misuse once, by the names of the objects
+// involved, through the message callback (Severity::error; text "<function>: ...").
+//
+// Found are: handles that are unknown or destroyed; descriptors, sizes and limits that the device forbids; empty slots, and
+// slots with an object of the wrong kind, dimension or usage; push constants, updates and copies of a wrong size; draws to a
+// target of another format; barriers that name a wrong state; work on a resource in a wrong state, without a barrier after
+// the last write, or on contents that were never written; work recorded outside begin and submit; a host's texture not left
+// in the state it came in; markers that do not match; timestamps out of range or never written; buffers touched by the CPU
+// while in use; objects destroyed too early; and objects that are left when the validation device goes.
+//
+// A command that could harm the device is reported and not passed on; one that is only ordered wrongly is passed on.
+// States are followed in the order of recording. Textures start in State::undefined (a host's texture: as it says), and so
+// do buffers; a barrier from `undefined` throws a texture's contents away, a buffer keeps its bytes. Upload buffers may be
+// copied from, and read_back buffers read by the CPU, without more. Once Queue::wait has returned nothing is unfinished.
+#pragma once
+
+#include <aureole/rhi/device.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace aureole::rhi {
+
+struct ValidationDesc {
+    /// Throw Error(misuse) after reporting, also from recording functions. Leaks are only reported.
+    bool throw_on_misuse = false;
+};
+
+class ValidationDevice : public Device {
+public:
+    /// For hosts with command lists of their own: the list to record into instead of `inner`, until `end_list`. One list at
+    /// a time. Throws Error(misuse) if one is open.
+    virtual CommandList& begin_list(CommandList& inner) = 0;
+    /// Checks what must hold at the end of a list.
+    virtual void end_list() = 0;
+    /// Misuses reported so far.
+    [[nodiscard]] virtual std::uint64_t misuse_count() const = 0;
+};
+
+/// `inner` outlives the validation device, which takes over its message callback: set yours on the validation device.
+/// Handles are those of `inner`. Objects made before, from `inner` itself, are unknown here.
+[[nodiscard]] std::unique_ptr<ValidationDevice> create_validation_device(Device& inner, const ValidationDesc& desc = {});
+
+/// The queue that belongs to it. Both arguments outlive it. `device` was made by create_validation_device.
+[[nodiscard]] std::unique_ptr<Queue> create_validation_queue(ValidationDevice& device, Queue& inner);
+
+}  // namespace aureole::rhi

@@ -1,0 +1,92 @@
+// The validation device: knows every object, and hands out the watching command list.
+#pragma once
+
+#include <aureole/rhi/validation.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "command_list.h"
+#include "records.h"
+#include "reporter.h"
+
+namespace aureole::rhi::validation {
+
+class WatchingDevice final : public ValidationDevice, public ObjectLookup {
+public:
+    WatchingDevice(Device& inner, const ValidationDesc& desc);
+    ~WatchingDevice() override;
+
+    [[nodiscard]] const Capabilities& capabilities() const override { return inner_.capabilities(); }
+    [[nodiscard]] FormatSupport format_support(Format format, Dimension dimension) const override;
+    [[nodiscard]] Texture create_texture(const TextureDesc& desc) override;
+    [[nodiscard]] Texture wrap_texture(const ExternalTexture& external) override;
+    [[nodiscard]] Buffer create_buffer(const BufferDesc& desc) override;
+    [[nodiscard]] Sampler create_sampler(const SamplerDesc& desc) override;
+    [[nodiscard]] Pipeline create_compute_pipeline(const ComputePipelineDesc& desc) override;
+    [[nodiscard]] Pipeline create_raster_pipeline(const RasterPipelineDesc& desc) override;
+    [[nodiscard]] BindingSet create_binding_set(const BindingSetDesc& desc) override;
+    void destroy(AnyHandle handle, std::uint64_t last_used_frame) override;
+    void collect(std::uint64_t completed_frame) override { inner_.collect(completed_frame); }
+    void write_buffer(Buffer buffer, std::span<const std::byte> bytes) override;
+    void read_buffer(Buffer buffer, std::span<std::byte> bytes) override;
+    void read_timestamps(std::span<double> out_nanoseconds) override;
+    void set_message_callback(MessageCallback callback, void* user) override { reporter_.set_callback(callback, user); }
+
+    CommandList& begin_list(CommandList& inner) override;
+    void end_list() override;
+    [[nodiscard]] std::uint64_t misuse_count() const override { return reporter_.count(); }
+
+    // For the queue: frames in flight.
+    void set_frames(std::uint64_t recording, std::uint64_t completed);
+    void finish_all();
+    [[nodiscard]] bool list_open() const { return list_.open(); }
+
+    // For the command list.
+    [[nodiscard]] Reporter& reporter() { return reporter_; }
+    [[nodiscard]] const TextureDesc* find(Texture texture) const override;
+    [[nodiscard]] const BufferDesc* find(Buffer buffer) const override;
+    [[nodiscard]] const SamplerDesc* find(Sampler sampler) const override;
+    /// The record, noted as used by the frame that is being recorded; null, and a report, if it is not alive.
+    template <class Handle>
+    auto* recorded(Handle handle, const char* function);
+    void note_timestamp(std::uint32_t index) { timestamp_written_[index] = true; }
+
+    Records<Texture, TextureRecord> textures;
+    Records<Buffer, BufferRecord> buffers;
+    Records<Sampler, SamplerRecord> samplers;
+    Records<Pipeline, PipelineRecord> pipelines;
+    Records<BindingSet, BindingSetRecord> binding_sets;
+
+private:
+    auto& records(Texture) { return textures; }
+    auto& records(Buffer) { return buffers; }
+    auto& records(Sampler) { return samplers; }
+    auto& records(Pipeline) { return pipelines; }
+    auto& records(BindingSet) { return binding_sets; }
+
+    /// Runs the checks and the creation; reports what they throw, and throws it on.
+    template <class Make>
+    auto created(const Make& make);
+    template <class Handle>
+    void destroy_one(Handle handle, std::uint64_t last_used_frame);
+    void check_cpu_access(Buffer buffer, const char* function, Usage usage, std::size_t bytes);
+
+    Device& inner_;
+    Reporter reporter_;
+    WatchingCommandList list_;
+    std::vector<bool> timestamp_written_;
+    std::uint64_t recording_frame_ = 0, completed_frame_ = 0;  // 0: the host counts its own frames
+};
+
+template <class Handle>
+auto* WatchingDevice::recorded(Handle handle, const char* function) {
+    auto* record = records(handle).find(handle);
+    if (record)
+        record->last_frame = recording_frame_;
+    else
+        reporter_.misuse(std::string(function) + ": " + records(handle).explain(handle));
+    return record;
+}
+
+}  // namespace aureole::rhi::validation

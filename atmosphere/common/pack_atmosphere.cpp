@@ -57,28 +57,27 @@ void append(std::vector<double>& table, const std::vector<double>& row) { table.
 /// Kind and parameters of a phase function (phase.glsl); a tabulated one becomes a row of the table, normalized.
 int pack_phase(const PhaseFunction& phase, Vec4& parameters, std::vector<double>& table) {
     parameters = Vec4(0);
-    return std::visit(
-        Overload{
-            [](const RayleighPhase&) { return Air::PHASE_RAYLEIGH; },
-            [&](const HenyeyGreensteinPhase& p) {
-                parameters.x = p.g;
-                return Air::PHASE_HENYEY_GREENSTEIN;
-            },
-            [&](const CornetteShanksPhase& p) {
-                parameters.x = p.g;
-                return Air::PHASE_CORNETTE_SHANKS;
-            },
-            [&](const HenyeyGreensteinDrainePhase& p) {
-                parameters = {p.g_hg, p.g_draine, p.alpha, p.weight};
-                return Air::PHASE_HG_DRAINE;
-            },
-            [&](const TabulatedPhase& p) {
-                parameters.x = static_cast<double>(table.size() / table_width);
-                append(table, phase_row(p));
-                return Air::PHASE_TABULATED;
-            },
-        },
-        phase);
+    return std::visit(Overload{
+                          [](const RayleighPhase&) { return Air::PHASE_RAYLEIGH; },
+                          [&](const HenyeyGreensteinPhase& p) {
+                              parameters.x = p.g;
+                              return Air::PHASE_HENYEY_GREENSTEIN;
+                          },
+                          [&](const CornetteShanksPhase& p) {
+                              parameters.x = p.g;
+                              return Air::PHASE_CORNETTE_SHANKS;
+                          },
+                          [&](const HenyeyGreensteinDrainePhase& p) {
+                              parameters = {p.g_hg, p.g_draine, p.alpha, p.weight};
+                              return Air::PHASE_HG_DRAINE;
+                          },
+                          [&](const TabulatedPhase& p) {
+                              parameters.x = static_cast<double>(table.size() / table_width);
+                              append(table, phase_row(p));
+                              return Air::PHASE_TABULATED;
+                          },
+                      },
+                      phase);
 }
 
 int pack_profile(const Profile& profile, double highest_km, Vec4& parameters, std::vector<double>& table) {
@@ -104,13 +103,16 @@ int pack_profile(const Profile& profile, double highest_km, Vec4& parameters, st
                       profile);
 }
 
-/// The highest altitude at which a tabulated profile still changes, inside the shell: beyond it, the last texel holds.
+/// Where the profile table ends: inside the shell, and so that its last cell lies beyond the last change of any profile. The
+/// last texel, which holds from there up, is then the value beyond the samples and no mean of what is below.
 double highest_tabulated_km(const std::vector<DensityTerm>& terms, double shell_km) {
-    double highest = 0;
+    double last_change = 0;
     for (const DensityTerm& term : terms)
         if (const auto* table = std::get_if<TabulatedProfile>(&term.profile))
-            highest = std::max(highest, std::min(table->altitude_m.back() * km, shell_km));
-    return highest > 0 ? highest : shell_km;
+            last_change = std::max(last_change, table->altitude_m.back() * km);
+    constexpr double last_cell = (table_width - 1.0) / (table_width - 2.0);
+    const double highest = last_change * last_cell * last_cell;
+    return highest > 0 ? std::min(highest, shell_km) : shell_km;
 }
 
 void pack_phases(ExactAtmosphere& air) {

@@ -7,7 +7,8 @@
 
 namespace aureole::detail {
 
-/// "<field>" of the Error(invalid_argument) that `call` throws, checked to say value and allowed range; "nothing" if it throws none.
+/// "<field>" of the Error(invalid_argument) that `call` throws, checked to say value and allowed range; "nothing" if it throws
+/// none.
 template <class Call>
 std::string rejected_field(Call&& call) {
     try {

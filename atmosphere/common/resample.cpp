@@ -59,9 +59,8 @@ double integral(std::span<const double> nodes, const TableAxis& axis) {
     double sum = 0;
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
         const double cell = static_cast<double>(i);
-        sum += rule.integrate(0, 1, [&](double t) {
-            return ((1 - t) * nodes[i] + t * nodes[i + 1]) * axis.weight((cell + t) / cells) / cells;
-        });
+        sum += rule.integrate(
+            0, 1, [&](double t) { return ((1 - t) * nodes[i] + t * nodes[i + 1]) * axis.weight((cell + t) / cells) / cells; });
     }
     return sum;
 }

@@ -14,8 +14,8 @@ struct TableAxis {
 };
 
 /// Values at n nodes for the function that is linear in x between the samples and constant beyond them. Each value is the mean
-/// of the function under the node's hat, so that the integral of what the kernels interpolate equals that of the function, however
-/// thin its features are; where the function is smooth this is its value at the node.
+/// of the function under the node's hat, so that the integral of what the kernels interpolate equals that of the function,
+/// however thin its features are; where the function is smooth this is its value at the node.
 [[nodiscard]] std::vector<double> resample(std::span<const double> x, std::span<const double> y, int n, const TableAxis& axis);
 
 /// The integral, in the axis' measure, of what is linear in s between the nodes.

@@ -1,7 +1,7 @@
 #include "common/resample.h"
 
-#include <cmath>
 #include <doctest/doctest.h>
+#include <cmath>
 #include <numbers>
 
 using namespace aureole::detail;

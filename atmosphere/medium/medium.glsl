@@ -1,4 +1,4 @@
-// The air at an altitude: scattering coefficient per phase function and extinction, 1/km. Doc page: docs/medium.md.
+// The air at an altitude: scattering coefficient per phase function and extinction, 1/km.
 //
 // The including kernel declares `UNIFORMS(slot, AtmosphereBlock, atm)` first, and says `#define AUREOLE_PROFILE_TABLE <slot>` if it
 // may meet tabulated profiles; the texture `profile_table` is then declared here.

@@ -1,5 +1,5 @@
 // Phase functions p(nu), 1/sr: the share of scattered light per solid angle at the angle theta from the forward direction,
-// nu = cos(theta). Each integrates to 1 over the sphere. Doc page: docs/phase.md.
+// nu = cos(theta). Each integrates to 1 over the sphere.
 //
 // A kernel that may meet tabulated phase functions says `#define AUREOLE_PHASE_TABLE <slot>` before it includes this file; the
 // texture `phase_table` is then declared here. Without it, kind PHASE_TABULATED must not occur.

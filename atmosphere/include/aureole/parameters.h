@@ -24,31 +24,38 @@ using Rgb = glm::dvec3;
 
 /// density(h) = exp(-h / scale_height_m).
 struct ExponentialProfile {
-    double scale_height_m = 8000;  ///< Finite, > 0.
+    double scale_height_m = 8000;  ///< In [0.01, 1e12].
+    [[nodiscard]] bool operator==(const ExponentialProfile&) const = default;
 };
 /// density(h) = max(0, 1 - |h - center_m| / half_width_m): Bruneton 2017's ozone layer.
 struct TentProfile {
-    double center_m = 25000;      ///< Finite.
-    double half_width_m = 15000;  ///< Finite, > 0.
+    double center_m = 25000;      ///< In [-1e12, 1e12].
+    double half_width_m = 15000;  ///< In [0.01, 1e12].
+    [[nodiscard]] bool operator==(const TentProfile&) const = default;
 };
 /// Linear between the samples, constant beyond them.
 struct TabulatedProfile {
-    std::vector<double> altitude_m;  ///< Strictly increasing, finite; at least 2 entries, at most 4096.
-    std::vector<double> density;     ///< As many, finite, >= 0.
+    std::vector<double> altitude_m;  ///< Strictly increasing, in [-1e12, 1e12]; 2 to 4096 entries.
+    std::vector<double> density;     ///< As many, in [0, 1e6].
+    [[nodiscard]] bool operator==(const TabulatedProfile&) const = default;
 };
 using Profile = std::variant<ExponentialProfile, TentProfile, TabulatedProfile>;
 
 // ---- Phase functions p(cos theta), 1/sr, each integrating to 1 over the sphere. theta = 0 is forward. ----
 
 /// 3/(16 pi) (1 + cos^2): molecules, without depolarization.
-struct RayleighPhase {};
+struct RayleighPhase {
+    [[nodiscard]] bool operator==(const RayleighPhase&) const = default;
+};
 /// Henyey & Greenstein 1941.
 struct HenyeyGreensteinPhase {
     double g = 0.76;  ///< Mean cosine, in [-0.999, 0.999].
+    [[nodiscard]] bool operator==(const HenyeyGreensteinPhase&) const = default;
 };
 /// Cornette & Shanks 1992: Henyey-Greenstein times 3/2 (1 + cos^2) / (2 + g^2).
 struct CornetteShanksPhase {
     double g = 0.8;  ///< In [-0.999, 0.999]. The mean cosine is 3 g (4 + g^2) / (5 (2 + g^2)).
+    [[nodiscard]] bool operator==(const CornetteShanksPhase&) const = default;
 };
 /// (1 - weight) HG(g_hg) + weight Draine(g_draine, alpha): Jendersie & d'Eon 2023, a fit of Mie theory for fog and cloud.
 struct HenyeyGreensteinDrainePhase {
@@ -58,33 +65,39 @@ struct HenyeyGreensteinDrainePhase {
     double weight = 0.3;     ///< Share of the Draine lobe, in [0, 1].
     /// The published fit for droplets of the given diameter, in [5, 50] micrometres.
     [[nodiscard]] static HenyeyGreensteinDrainePhase from_droplet_diameter(double diameter_um);
+    [[nodiscard]] bool operator==(const HenyeyGreensteinDrainePhase&) const = default;
 };
 /// Linear in theta between samples; renormalized to integrate to 1.
 struct TabulatedPhase {
-    std::vector<double> angle_rad;  ///< From 0 to pi, strictly increasing; at least 2 entries, at most 4096.
-    std::vector<double> value;      ///< As many, finite, >= 0, not all 0. Any scale.
+    std::vector<double> angle_rad;  ///< From 0 to pi (within 1e-6), strictly increasing; 2 to 4096 entries.
+    std::vector<double> value;      ///< As many, in [0, 1e100], not all 0. Any scale.
+    [[nodiscard]] bool operator==(const TabulatedPhase&) const = default;
 };
 using PhaseFunction =
     std::variant<RayleighPhase, HenyeyGreensteinPhase, CornetteShanksPhase, HenyeyGreensteinDrainePhase, TabulatedPhase>;
 
-/// Phase value in 1/sr for cos_theta in [-1, 1]. Evaluated by the kernels' own formula, in double.
+/// Phase value in 1/sr for cos_theta in [-1, 1]. Evaluated by the kernels' own formula, in double. Throws Error naming what
+/// is out of range. A tabulated function is resampled at every call.
 [[nodiscard]] double evaluate(const PhaseFunction& phase, double cos_theta);
-/// Legendre moments p_l = integral of p(cos) P_l(cos) over the sphere, l = 0 .. count-1. p_0 is 1; p_1 is the mean cosine.
+/// Legendre moments p_l = integral of p(cos) P_l(cos) over the sphere, l = 0 .. count-1, count in [1, 256].
+/// p_0 is 1; p_1 is the mean cosine.
 [[nodiscard]] std::vector<double> legendre_moments(const PhaseFunction& phase, int count);
 
 /// One constituent: molecules, an aerosol, an absorber.
 struct DensityTerm {
     std::string name;                 ///< For messages: "rayleigh", "mie", "ozone".
     Profile profile;
-    Rgb scattering_per_m{0, 0, 0};    ///< At density 1. Finite, >= 0.
-    Rgb absorption_per_m{0, 0, 0};    ///< At density 1. Finite, >= 0.
+    Rgb scattering_per_m{0, 0, 0};    ///< At density 1. In [0, 1e6].
+    Rgb absorption_per_m{0, 0, 0};    ///< At density 1. In [0, 1e6].
     PhaseFunction phase;              ///< Unused when scattering is 0.
+    [[nodiscard]] bool operator==(const DensityTerm&) const = default;
 };
 
 struct Planet {
-    double bottom_radius_m = 6.36e6;  ///< Of the ground. Finite, [1e3, 1e12].
+    double bottom_radius_m = 6.36e6;  ///< Of the ground. In [1e3, 1e12].
     double top_radius_m = 6.46e6;     ///< Where the atmosphere ends. At least 1 m above the bottom, at most 11 bottom radii.
     Rgb ground_albedo{0.3, 0.3, 0.3};  ///< Lambertian, in [0, 1].
+    [[nodiscard]] bool operator==(const Planet&) const = default;
 };
 
 struct AtmosphereParameters {
@@ -95,6 +108,7 @@ struct AtmosphereParameters {
 
     static constexpr int max_terms = 16;
     static constexpr int max_phase_functions = 4;
+    [[nodiscard]] bool operator==(const AtmosphereParameters&) const = default;
 };
 
 /// Throws Error(invalid_argument) at the first field outside its range.
@@ -108,14 +122,16 @@ enum class LimbDarkening : std::uint8_t {
 
 /// A distant light: the sun, a second sun, a moon.
 struct Sun {
-    glm::dvec3 direction{0, 0, 1};     ///< Towards the sun, in the axes of `Camera`. Finite, not 0; normalized here.
-    Rgb irradiance{1, 1, 1};           ///< At the top of the atmosphere, on a surface that faces the sun. Finite, >= 0.
+    glm::dvec3 direction{0, 0, 1};     ///< Towards the sun, in the axes of `Camera`. Of any length in [1e-100, 1e100].
+    Rgb irradiance{1, 1, 1};           ///< At the top of the atmosphere, on a surface that faces the sun. In [0, 1e20].
     double angular_radius_rad = 0.004675;  ///< In [0, pi/4]. 0: no visible disk.
     LimbDarkening limb_darkening = LimbDarkening::neckel94;
+    [[nodiscard]] bool operator==(const Sun&) const = default;
 };
 void validate(const Sun& sun);
 
 /// Scattering and extinction at an altitude, and what a vertical column adds up to: for tests, tools and the curious.
+/// The altitude is finite; below 0 counts as 0, and above the top there is nothing. A term name that occurs nowhere is rejected.
 struct MediumSample {
     Rgb scattering_per_m, extinction_per_m;
 };

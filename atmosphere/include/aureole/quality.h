@@ -26,7 +26,7 @@ struct QualitySettings {
     int angular_order = 2;                 ///< L of the moments: 0 (mean alone), 2; layouts exist for 4 and 8.
     int multi_scatter_zenith = 4;          ///< Gauss directions on each side of the horizon, in [2, 16].
     int multi_scatter_azimuth = 4;         ///< Directions on a half circle, in [2, 32].
-    int multi_scatter_nodes = 6;           ///< Gauss nodes a ray, in [2, 16].
+    int multi_scatter_nodes = 6;           ///< Gauss nodes a ray (uniform steps in published_2020), in [2, 16] ([1, 256]).
     int multi_scatter_orders = 4;          ///< Passes of the fixed point before the rest is extrapolated, in [1, 64].
 
     rhi::Extent sky_view{32, 128, 1};  ///< Azimuth x elevation nodes. Each in [4, 4096].

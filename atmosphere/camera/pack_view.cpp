@@ -1,0 +1,123 @@
+#include "camera/pack_view.h"
+
+#include "camera/rays.h"
+#include "common/check.h"
+#include "parameters/validate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace aureole::detail {
+namespace {
+
+using ExactView = Blocks<double>::ViewBlock;
+using glm::dvec3, glm::dvec4;
+
+/// hypot neither overflows nor underflows.
+double length_of(const dvec3& v) { return std::hypot(v.x, v.y, v.z); }
+dvec3 unit(const dvec3& v) { return glm::normalize(v / length_of(v)); }
+
+/// Angle below the horizontal at which a sphere of radius `radius` is grazed from `height` above it, and its sine. From the
+/// tangent's length sqrt(h (2 R + h)): exact for a camera a centimetre up, where an arc cosine would find nothing.
+struct Dip {
+    double angle, sine;
+};
+Dip dip(double height, double radius) {
+    const double tangent = std::sqrt(height * (2 * radius + height));
+    return {std::atan2(tangent, radius), tangent / (radius + height)};
+}
+
+void pack_place(const Camera& camera, const Planet& planet, const dvec3& up, ExactView& view) {
+    const double shell = planet.top_radius_m - planet.bottom_radius_m;
+    const double altitude = std::max(length_of(camera.position_m) - planet.bottom_radius_m, 0.0);
+    const bool above = altitude > shell;
+    const double in_air = std::min(altitude, shell);
+    const Dip horizon = dip(in_air, planet.bottom_radius_m);
+    view.camera = {in_air * 1e-3, -horizon.sine + 0.0, horizon.angle, above ? 1 : 0};
+    const double top_dip = above ? dip(altitude - shell, planet.top_radius_m).angle : -std::numbers::pi / 2;
+    view.space = {altitude * 1e-3, top_dip, dip(altitude, planet.bottom_radius_m).angle, 0};
+
+    // East as on a globe whose axis is z, so that the frame turns with the place and not with the camera.
+    dvec3 east = glm::cross(dvec3(0, 0, 1), up);
+    east = glm::length(east) > 1e-6 ? glm::normalize(east) : dvec3(1, 0, 0);
+    east = glm::normalize(east - up * glm::dot(east, up));
+    view.up = dvec4(up, 0);
+    view.east = dvec4(east, 0);
+    view.north = dvec4(glm::cross(up, east), 0);
+}
+
+void pack_rays(const Camera& camera, const dvec3& up, ExactView& view) {
+    const RayBasis rays = ray_basis(camera, up);
+    view.ray_origin = dvec4(rays.origin, static_cast<double>(camera.kind));
+    view.ray_x = dvec4(rays.along_x, 0);
+    view.ray_y = dvec4(rays.along_y, 0);
+    const bool parallel = camera.kind == Projection::matrix && is_orthographic(camera.projection);
+    view.forward = dvec4(glm::normalize(-view_to_world(camera)[2]), parallel ? 1 : 0);
+    view.depth = depth_coefficients(camera);
+}
+
+/// Exponents alpha of limb darkening mu^alpha. Hestroffer & Magnan 1998 at 680, 550 and 440 nm, from Neckel & Labs 1994.
+dvec3 limb_exponents(LimbDarkening limb) { return limb == LimbDarkening::none ? dvec3(0) : dvec3(0.397, 0.503, 0.652); }
+
+// Measured by the squared chord c = 4 sin^2(theta/2) from the centre, a solid angle is exactly pi dc, so a disk of squared
+// chord C covers pi C. With mu = sqrt(1 - c / C) the integral of mu^alpha over it is 2 / (alpha + 2) of that.
+void pack_disk(const Sun& sun, dvec4& disk, dvec4& limb) {
+    const double half = 2 * std::sin(sun.angular_radius_rad / 2);
+    const double squared_chord = half * half;
+    const dvec3 alpha = limb_exponents(sun.limb_darkening);
+    if (squared_chord < 1e-24) {  // nothing that float directions could hit
+        disk = limb = dvec4(0);
+        return;
+    }
+    disk = dvec4((alpha + 2.0) / (2 * std::numbers::pi * squared_chord), 1 / squared_chord);
+    limb = dvec4(alpha, squared_chord);
+}
+
+void pack_suns(std::span<const Sun> suns, const dvec3& up, ExactView& view) {
+    const dvec3 east(view.east);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(max_suns); ++i) {
+        view.sun_direction[i] = dvec4(up, 1);
+        view.sun_azimuth[i] = dvec4(east, 0);
+        view.sun_irradiance[i] = dvec4(0, 0, 0, static_cast<double>(suns.size()));
+        view.sun_disk[i] = view.sun_limb[i] = dvec4(0);
+        if (i >= suns.size()) continue;
+
+        const dvec3 direction = unit(suns[i].direction);
+        const double mu_s = std::clamp(glm::dot(direction, up), -1.0, 1.0);
+        const dvec3 horizontal = glm::cross(up, glm::cross(direction, up));  // its length is the sine of the zenith angle
+        const double sine = glm::length(horizontal);
+        view.sun_direction[i] = dvec4(direction, mu_s);
+        view.sun_azimuth[i] = dvec4(sine > 1e-12 ? horizontal / sine : east, sine);
+        view.sun_irradiance[i] = dvec4(suns[i].irradiance, static_cast<double>(suns.size()));
+        pack_disk(suns[i], view.sun_disk[i], view.sun_limb[i]);
+    }
+}
+
+void check_inputs(std::span<const Sun> suns, const ViewInputs& inputs) {
+    check_count("suns", suns.size(), 0, static_cast<std::size_t>(max_suns));
+    for (std::size_t i = 0; i < suns.size(); ++i) check_sun(element("suns", i), suns[i]);
+    check("aerial_perspective_distance_m", inputs.aerial_perspective_distance_m, 1e-3, 1e13);
+    check("exposure", inputs.exposure, 1e-30, 1e30);
+    check("table_exposure", inputs.table_exposure, 1e-30, 1e30);
+}
+
+}  // namespace
+
+ViewBlock pack_view(const Camera& camera, std::span<const Sun> suns, const Planet& planet, const ViewInputs& inputs) {
+    validate(camera);
+    check_inputs(suns, inputs);
+
+    ExactView view{};
+    const dvec3 up = unit(camera.position_m);
+    pack_place(camera, planet, up, view);
+    pack_rays(camera, up, view);
+    pack_suns(suns, up, view);
+    const double distance = inputs.aerial_perspective_distance_m * 1e-3;
+    view.froxels = {distance, 1 / distance, inputs.table_exposure, 1 / inputs.table_exposure};
+    view.composite = {inputs.exposure, static_cast<double>(inputs.frame & 0xffffu), 0, 0};
+    return round_block<ViewBlock>(view);
+}
+
+}  // namespace aureole::detail

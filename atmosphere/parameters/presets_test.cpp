@@ -1,0 +1,90 @@
+// Optical depth and albedo of every preset against numbers worked out by hand: a preset with scattering and absorption swapped,
+// or a scale height meant for another shell, cannot pass.
+#include "common/rejects.h"
+
+#include <aureole/presets.h>
+
+#include <doctest/doctest.h>
+
+using namespace aureole;
+
+namespace {
+
+void check_rgb(const Rgb& actual, const Rgb& expected, double relative) {
+    for (int c = 0; c < 3; ++c) {
+        CAPTURE(c);
+        CHECK(actual[c] == doctest::Approx(expected[c]).epsilon(relative));
+    }
+}
+
+Rgb albedo(const DensityTerm& term) { return term.scattering_per_m / (term.scattering_per_m + term.absorption_per_m); }
+
+void check_term(const AtmosphereParameters& air, const char* name, const Rgb& depth, const Rgb& expected_albedo) {
+    CAPTURE(name);
+    check_rgb(vertical_optical_depth(air, name), depth, 1e-6);
+    bool found = false;
+    for (const DensityTerm& term : air.terms) {
+        if (term.name != name) continue;
+        found = true;
+        check_rgb(albedo(term), expected_albedo, 1e-5);
+    }
+    CHECK(found);
+}
+
+}  // namespace
+
+TEST_CASE("presets: earth") {
+    const AtmosphereParameters air = presets::earth();
+    // Coefficient x 8000 m x (1 - exp(-100/8)); exp(-12.5) = 3.7267e-6.
+    check_term(air, "rayleigh", {0.046415827, 0.108463596, 0.264799013}, Rgb(1));
+    // 4.44e-6 x 1200 m; 3.996 / 4.44.
+    check_term(air, "mie", Rgb(0.005328), Rgb(0.9));
+    // Coefficient x the triangle's area, 15000 m.
+    check_term(air, "ozone", {0.00975, 0.028215, 0.001275}, Rgb(0));
+    check_rgb(vertical_optical_depth(air), {0.061493827, 0.142006596, 0.271402013}, 1e-6);
+    // At the ground, without ozone: (5.802 + 3.996) / (5.802 + 4.44) and so on.
+    const MediumSample ground = sample_medium(air, 0);
+    check_rgb(ground.scattering_per_m / ground.extinction_per_m, {0.956649, 0.975331, 0.988172}, 2e-6);
+    CHECK(air.planet.ground_albedo == Rgb(0.3));
+    CHECK(air.planet.bottom_radius_m == 6360e3);
+    CHECK(air.planet.top_radius_m == 6460e3);
+}
+
+TEST_CASE("presets: hazy earth has ten times the aerosol") {
+    const AtmosphereParameters air = presets::hazy_earth();
+    check_term(air, "rayleigh", {0.046415827, 0.108463596, 0.264799013}, Rgb(1));
+    check_term(air, "mie", Rgb(0.05328), Rgb(0.9));
+    check_term(air, "ozone", {0.00975, 0.028215, 0.001275}, Rgb(0));
+    check_rgb(vertical_optical_depth(air), {0.109445827, 0.189958596, 0.319354013}, 1e-6);
+    CHECK(std::get<CornetteShanksPhase>(air.terms[1].phase).g == 0.76);
+    CHECK(air.planet.ground_albedo == Rgb(0.1));
+}
+
+TEST_CASE("presets: mars") {
+    const AtmosphereParameters air = presets::mars();
+    // Coefficient x 11100 m x (1 - exp(-120/11.1)); exp(-10.8108) = 2.018e-5.
+    check_term(air, "rayleigh", {0.22108534, 0.15062396, 0.06382371}, Rgb(1));
+    check_term(air, "dust", {0.11277372, 0.12165354, 0.14940299}, {0.950787, 0.881387, 0.717682});
+    check_rgb(vertical_optical_depth(air), {0.33385906, 0.27227750, 0.21322670}, 1e-6);
+    CHECK(air.planet.ground_albedo == Rgb(0.25));
+    CHECK(air.planet.bottom_radius_m == 3389.5e3);
+    CHECK(air.planet.top_radius_m == 3509.5e3);
+}
+
+TEST_CASE("presets: airless") {
+    const AtmosphereParameters air = presets::airless();
+    CHECK(air.terms.empty());
+    CHECK(vertical_optical_depth(air) == Rgb(0));
+    CHECK(sample_medium(air, 0).extinction_per_m == Rgb(0));
+    CHECK(air.planet.bottom_radius_m == 1737.4e3);
+}
+
+TEST_CASE("presets: by name") {
+    CHECK(presets::by_name("earth") == presets::earth());
+    CHECK(presets::by_name("hazy_earth") == presets::hazy_earth());
+    CHECK(presets::by_name("mars") == presets::mars());
+    CHECK(presets::by_name("airless") == presets::airless());
+    CHECK_FALSE(presets::earth() == presets::hazy_earth());
+    for (const char* wrong : {"", "Earth", "venus"})
+        CHECK(detail::rejected_field([&] { (void)presets::by_name(wrong); }) == "preset");
+}

@@ -1,0 +1,118 @@
+#include "common/rejects.h"
+
+#include <aureole/quality.h>
+
+#include <doctest/doctest.h>
+#include <functional>
+
+using namespace aureole;
+using detail::rejected_field;
+
+namespace {
+
+/// A field, how to set it, and the ends of its range: both must pass, one beyond either must not.
+struct Field {
+    std::string name;
+    std::function<void(QualitySettings&, int)> set;
+    int low, high;
+};
+
+const std::vector<Field>& sizes() {
+    using Q = QualitySettings;
+    const auto u = [](int v) { return static_cast<std::uint32_t>(v); };
+    static const std::vector<Field> fields{
+        {"transmittance.width", [u](Q& q, int v) { q.transmittance.width = u(v); }, 2, 4096},
+        {"transmittance.height", [u](Q& q, int v) { q.transmittance.height = u(v); }, 2, 4096},
+        {"transmittance.depth", [u](Q& q, int v) { q.transmittance.depth = u(v); }, 1, 1},
+        {"multi_scatter.width", [u](Q& q, int v) { q.multi_scatter.width = u(v); }, 2, 256},
+        {"multi_scatter.height", [u](Q& q, int v) { q.multi_scatter.height = u(v); }, 2, 256},
+        {"multi_scatter.depth", [u](Q& q, int v) { q.multi_scatter.depth = u(v); }, 1, 1},
+        {"multi_scatter_zenith", [](Q& q, int v) { q.multi_scatter_zenith = v; }, 2, 16},
+        {"multi_scatter_azimuth", [](Q& q, int v) { q.multi_scatter_azimuth = v; }, 2, 32},
+        {"multi_scatter_orders", [](Q& q, int v) { q.multi_scatter_orders = v; }, 1, 64},
+        {"sky_view.width", [u](Q& q, int v) { q.sky_view.width = u(v); }, 4, 4096},
+        {"sky_view.height", [u](Q& q, int v) { q.sky_view.height = u(v); }, 4, 4096},
+        {"sky_view.depth", [u](Q& q, int v) { q.sky_view.depth = u(v); }, 1, 1},
+        {"aerial_perspective.width", [u](Q& q, int v) { q.aerial_perspective.width = u(v); }, 2, 256},
+        {"aerial_perspective.height", [u](Q& q, int v) { q.aerial_perspective.height = u(v); }, 2, 256},
+        {"aerial_perspective.depth", [u](Q& q, int v) { q.aerial_perspective.depth = u(v); }, 2, 256},
+        {"aerial_perspective_nodes", [](Q& q, int v) { q.aerial_perspective_nodes = v; }, 1, 8},
+    };
+    return fields;
+}
+
+std::vector<Field> samples(int low, int high) {
+    using Q = QualitySettings;
+    return {{"transmittance_nodes", [](Q& q, int v) { q.transmittance_nodes = v; }, low, high},
+            {"multi_scatter_nodes", [](Q& q, int v) { q.multi_scatter_nodes = v; }, low, high},
+            {"sky_view_nodes", [](Q& q, int v) { q.sky_view_nodes = v; }, low, high}};
+}
+
+void check_range(const QualitySettings& valid, const std::vector<Field>& fields) {
+    for (const Field& f : fields) {
+        CAPTURE(f.name);
+        const auto rejected = [&](int value) {
+            QualitySettings q = valid;
+            f.set(q, value);
+            return rejected_field([&] { validate(q); });
+        };
+        CHECK(rejected(f.low) == "nothing");
+        CHECK(rejected(f.high) == "nothing");
+        CHECK(rejected(f.low - 1) == f.name);
+        CHECK(rejected(f.high + 1) == f.name);
+        CHECK(rejected(-7) == f.name);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("quality: the named settings are valid and carry their names") {
+    for (const char* name : {"low", "default", "high", "published-2020"}) {
+        const QualitySettings q = QualitySettings::by_name(name);
+        CHECK(q.name == name);
+        CHECK_NOTHROW(validate(q));
+    }
+    for (const char* wrong : {"", "Default", "ultra", "published"})
+        CHECK(rejected_field([&] { (void)QualitySettings::by_name(wrong); }) == "quality");
+}
+
+TEST_CASE("quality: published-2020 is what was published") {
+    const QualitySettings q = QualitySettings::published_2020();
+    CHECK(q.sampling == Sampling::published_2020);
+    CHECK(q.transmittance == rhi::Extent{256, 64, 1});
+    CHECK(q.transmittance_nodes == 40);
+    CHECK(q.multi_scatter == rhi::Extent{32, 32, 1});
+    CHECK(q.multi_scatter_zenith * q.multi_scatter_azimuth == 64);
+    CHECK(q.multi_scatter_nodes == 20);
+    CHECK(q.angular_order == 0);
+    CHECK(q.sky_view == rhi::Extent{200, 100, 1});
+    CHECK(q.sky_view_nodes == 30);
+    CHECK(q.aerial_perspective == rhi::Extent{32, 32, 32});
+}
+
+TEST_CASE("quality: every number has its range") {
+    check_range(QualitySettings::standard(), sizes());
+    check_range(QualitySettings::standard(), samples(2, 16));
+    check_range(QualitySettings::published_2020(), sizes());
+    check_range(QualitySettings::published_2020(), samples(1, 256));
+}
+
+TEST_CASE("quality: every choice") {
+    const auto rejected = [](const std::function<void(QualitySettings&)>& spoil,
+                             QualitySettings q = QualitySettings::standard()) {
+        spoil(q);
+        return rejected_field([&] { validate(q); });
+    };
+    CHECK(rejected([](auto& q) { q.sampling = static_cast<Sampling>(9); }) == "sampling");
+    for (const int order : {-1, 1, 3, 5}) CHECK(rejected([&](auto& q) { q.angular_order = order; }) == "angular_order");
+    for (const int order : {0, 2}) CHECK(rejected([&](auto& q) { q.angular_order = order; }) == "nothing");
+    CHECK(rejected([](auto& q) { q.angular_order = 2; }, QualitySettings::published_2020()) == "angular_order");
+    for (const rhi::Format format : {rhi::Format::undefined, rhi::Format::r32_float, rhi::Format::rgba8_unorm}) {
+        CHECK(rejected([&](auto& q) { q.table_format = format; }) == "table_format");
+        CHECK(rejected([&](auto& q) { q.froxel_format = format; }) == "froxel_format");
+    }
+    for (const rhi::Format format : {rhi::Format::rgba16_float, rhi::Format::rgba32_float}) {
+        CHECK(rejected([&](auto& q) { q.table_format = format; }) == "nothing");
+        CHECK(rejected([&](auto& q) { q.froxel_format = format; }) == "nothing");
+    }
+}

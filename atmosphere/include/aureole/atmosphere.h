@@ -27,9 +27,9 @@ namespace aureole {
 
 /// What one pass did in the latest recording: for benchmarks and for hosts that show their costs.
 struct PassReport {
-    std::string_view name;           ///< "transmittance", "multi_scatter", "sky_view", "aerial_perspective", "light", "composite".
-    bool recorded = false;           ///< False when nothing that it depends on had changed.
-    std::uint64_t invocations = 0;   ///< Shader invocations.
+    std::string_view name{};  ///< "transmittance", "multi_scatter", "sky_view", "aerial_perspective", "light", "composite".
+    bool recorded = false;    ///< False when nothing that it depends on had changed.
+    std::uint64_t invocations = 0;         ///< Shader invocations.
     std::uint64_t medium_evaluations = 0;  ///< At most: evaluations of density by all invocations (counted by formula).
     std::uint64_t texture_fetches = 0;     ///< At most: filtered fetches by all invocations.
     std::uint64_t bytes_written = 0;
@@ -68,9 +68,9 @@ public:
     [[nodiscard]] std::span<const PassReport> reports() const noexcept;
 
     [[nodiscard]] rhi::Device& device() const noexcept;
-    [[nodiscard]] rhi::Texture transmittance_table() const noexcept;   ///< Optical depth to the top: see transmittance.glsl.
-    [[nodiscard]] rhi::Texture multi_scatter_table() const noexcept;   ///< Moments: see multi_scatter.glsl.
-    [[nodiscard]] std::uint64_t table_bytes() const noexcept;          ///< Device memory of the tables.
+    [[nodiscard]] rhi::Texture transmittance_table() const noexcept;  ///< Optical depth to the top: see transmittance.glsl.
+    [[nodiscard]] rhi::Texture multi_scatter_table() const noexcept;  ///< Moments: see multi_scatter.glsl.
+    [[nodiscard]] std::uint64_t table_bytes() const noexcept;         ///< Device memory of the tables.
 
     struct Impl;
     [[nodiscard]] Impl& impl() const noexcept { return *impl_; }
@@ -82,32 +82,32 @@ private:
 enum class ToneMap : std::uint8_t { none, aces_fitted };
 
 struct ViewSettings {
-    std::uint32_t max_suns = 1;       ///< In [1, 4].
-    bool aerial_perspective = true;   ///< False: no froxels; the composite leaves geometry as it is.
+    std::uint32_t max_suns = 1;                    ///< In [1, 4].
+    bool aerial_perspective = true;                ///< False: no froxels; the composite leaves geometry as it is.
     double aerial_perspective_distance_m = 96000;  ///< Depth of the last slice. Finite, > 0.
-    bool light = true;                ///< Sun colour and SH-L2 sky irradiance for the host's own lights.
+    bool light = true;                             ///< Sun colour and SH-L2 sky irradiance for the host's own lights.
 };
 
 struct CompositeSettings {
     rhi::Format target_format = rhi::Format::rgba16_float;
-    bool raster = false;      ///< Full-screen draw instead of compute.
-    bool scene_color = false; ///< The host gives its colour; without it geometry is black.
-    bool scene_depth = false; ///< The host gives its depth; without it every pixel is sky.
+    bool raster = false;       ///< Full-screen draw instead of compute.
+    bool scene_color = false;  ///< The host gives its colour; without it geometry is black.
+    bool scene_depth = false;  ///< The host gives its depth; without it every pixel is sky.
     bool sun_disk = true;
-    double exposure = 1;      ///< Multiplies the result. Finite, > 0.
+    double exposure = 1;  ///< Multiplies the result. Finite, > 0.
     ToneMap tone_map = ToneMap::none;
-    bool encode_srgb = false; ///< Apply the sRGB curve (for rgba8_unorm targets).
-    bool dither = false;      ///< Triangular noise of one 8-bit step, after everything else.
+    bool encode_srgb = false;  ///< Apply the sRGB curve (for rgba8_unorm targets).
+    bool dither = false;       ///< Triangular noise of one 8-bit step, after everything else.
 };
 
 /// The host's textures for one composite. Colour and depth in State::sampled / depth_read; target in storage_write (compute) or
 /// color_attachment (raster). All are left in the state in which they came.
 struct CompositeTargets {
-    rhi::Texture scene_color, scene_depth;  ///< Of the target's size.
-    rhi::Texture target;
-    rhi::Texture directions;  ///< Optional rgba32_float texture of the target's size: world directions (xyz) that replace the
-                              ///< camera's rays; for tools that probe single directions.
-    rhi::Extent extent;       ///< Of the target.
+    rhi::Texture scene_color{}, scene_depth{};  ///< Of the target's size.
+    rhi::Texture target{};
+    rhi::Texture directions{};  ///< Optional rgba32_float texture of the target's size: world directions (xyz) that replace the
+                                ///< camera's rays; for tools that probe single directions.
+    rhi::Extent extent{};       ///< Of the target.
 };
 
 /// A camera's own tables, and the pass that shows them.
@@ -132,9 +132,9 @@ public:
 
     [[nodiscard]] rhi::Texture sky_view_table() const noexcept;
     [[nodiscard]] rhi::Texture aerial_perspective_table() const noexcept;
-    /// 10 x max_suns rgba32_float texels, one row a sun: [0..8] SH-L2 coefficients of sky radiance (world axes, real basis in the
-    /// order 00, 1-1, 10, 11, 2-2 .. 22), [9] the sun's transmitted irradiance at the camera. The same on every backend: a host
-    /// that wants them on the CPU runs a view on the CPU backend.
+    /// 10 x max_suns rgba32_float texels, one row a sun: [0..8] SH-L2 coefficients of sky radiance (world axes, real basis in
+    /// the order 00, 1-1, 10, 11, 2-2 .. 22), [9] the sun's transmitted irradiance at the camera. The same on every backend: a
+    /// host that wants them on the CPU runs a view on the CPU backend.
     [[nodiscard]] rhi::Texture light_table() const noexcept;
     [[nodiscard]] std::uint64_t table_bytes() const noexcept;
 

@@ -18,13 +18,13 @@
 namespace aureole::rhi {
 
 struct Capabilities {
-    std::string backend;  ///< "vulkan", "cpu", or the host's own name.
-    std::string device;   ///< Name of the device, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
-    std::string driver;   ///< Driver and version.
+    std::string backend{};      ///< "vulkan", "cpu", or the host's own name.
+    std::string device{};       ///< Name of the device, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
+    std::string driver{};       ///< Driver and version.
     std::uint32_t threads = 0;  ///< Worker threads of a CPU backend; 0 elsewhere.
     std::uint32_t max_texture_2d = 0, max_texture_3d = 0, max_texture_cube = 0;  ///< Texels along a side.
     std::uint32_t max_push_constant_bytes = 0;
-    std::uint32_t timestamp_slots = 0;  ///< 0: timestamps are not supported.
+    std::uint32_t timestamp_slots = 0;          ///< 0: timestamps are not supported.
     bool storage_write_without_format = false;  ///< Storage images of any supported format can be written.
     bool raster = false;                        ///< create_raster_pipeline and draw_fullscreen work.
 };
@@ -35,66 +35,66 @@ struct FormatSupport {
 };
 
 struct ComputePipelineDesc {
-    std::string name;
+    std::string name{};
     const Shader* shader = nullptr;
-    std::span<const Specialization> specialization;  ///< Copied.
+    std::span<const Specialization> specialization{};  ///< Copied.
 };
 
 struct RasterPipelineDesc {
-    std::string name;
-    const Shader* shader = nullptr;  ///< A fragment shader; the vertex stage (one triangle) is the backend's.
-    std::span<const Specialization> specialization;  ///< Copied.
+    std::string name{};
+    const Shader* shader = nullptr;                    ///< A fragment shader; the vertex stage (one triangle) is the backend's.
+    std::span<const Specialization> specialization{};  ///< Copied.
     Format target_format = Format::undefined;
 };
 
 /// What stands in one slot of a binding set. Textures carry the sampler to read them with (ignored for storage).
 struct Binding {
     std::uint32_t slot = 0;
-    Texture texture;
-    Sampler sampler;
-    Buffer buffer;  ///< For constants: the whole buffer.
+    Texture texture{};
+    Sampler sampler{};
+    Buffer buffer{};  ///< For constants: the whole buffer.
 };
 
 struct BindingSetDesc {
-    std::string name;
-    Pipeline pipeline;  ///< The set fits every pipeline made from the same shader.
-    std::span<const Binding> bindings;  ///< One for each slot of the shader.
+    std::string name{};
+    Pipeline pipeline{};                  ///< The set fits every pipeline made from the same shader.
+    std::span<const Binding> bindings{};  ///< One for each slot of the shader.
 };
 
 struct DispatchDesc {
-    Pipeline pipeline;
-    BindingSet bindings;
-    std::span<const std::byte> push_constants;  ///< Exactly the shader's push_constant_bytes. Copied.
-    std::uint32_t groups[3] = {1, 1, 1};        ///< Workgroups.
+    Pipeline pipeline{};
+    BindingSet bindings{};
+    std::span<const std::byte> push_constants{};  ///< Exactly the shader's push_constant_bytes. Copied.
+    std::uint32_t groups[3] = {1, 1, 1};          ///< Workgroups.
 };
 
 struct DrawDesc {
-    Pipeline pipeline;
-    BindingSet bindings;
-    std::span<const std::byte> push_constants;  ///< Exactly the shader's push_constant_bytes. Copied.
-    Texture target;  ///< In State::color_attachment; every texel is written.
+    Pipeline pipeline{};
+    BindingSet bindings{};
+    std::span<const std::byte> push_constants{};  ///< Exactly the shader's push_constant_bytes. Copied.
+    Texture target{};                             ///< In State::color_attachment; every texel is written.
 };
 
 struct TextureBarrier {
-    Texture texture;
+    Texture texture{};
     State before = State::undefined, after = State::undefined;
 };
 struct BufferBarrier {
-    Buffer buffer;
+    Buffer buffer{};
     State before = State::undefined, after = State::undefined;
 };
 
 /// Whole-resource copies. Buffers hold tightly packed texels (rows, then slices or faces).
 struct TextureToBuffer {
-    Texture source;
-    Buffer destination;
+    Texture source{};
+    Buffer destination{};
 };
 struct BufferToTexture {
-    Buffer source;
-    Texture destination;
+    Buffer source{};
+    Texture destination{};
 };
 struct TextureToTexture {
-    Texture source, destination;  ///< Same format and extent.
+    Texture source{}, destination{};  ///< Same format and extent.
 };
 using CopyDesc = std::variant<TextureToBuffer, BufferToTexture, TextureToTexture>;
 

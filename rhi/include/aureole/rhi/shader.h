@@ -17,7 +17,7 @@ struct SlotDesc {
     std::uint32_t slot = 0;
     SlotKind kind = SlotKind::sampled_texture;
     Dimension dimension = Dimension::d2;  ///< Of textures. A cube's storage view has six layers (image2DArray).
-    std::string_view name;                ///< As in the GLSL source; used in messages.
+    std::string_view name{};              ///< As in the GLSL source; used in messages.
 };
 
 /// Value of a specialization constant: `layout(constant_id = id)`. Bits of an int32 (bools are 0 or 1) or of a float.
@@ -32,12 +32,12 @@ struct CpuBinding {
     SlotKind kind = SlotKind::sampled_texture;
     Format format = Format::undefined;  ///< Stores round to it (half really to half), unless `exact`.
     bool exact = false;                 ///< Keep every bit of the arithmetic type: the reference does not round.
-    Extent extent;
+    Extent extent{};
     Filter filter = Filter::linear;
     Address address_u = Address::clamp, address_v = Address::clamp, address_w = Address::clamp;
-    void* texels = nullptr;                   ///< float* or double*.
-    const std::byte* constants = nullptr;     ///< Uniform blocks hold 32-bit floats only.
-    std::uint64_t constants_size = 0;         ///< Bytes.
+    void* texels = nullptr;                ///< float* or double*.
+    const std::byte* constants = nullptr;  ///< Uniform blocks hold 32-bit floats only.
+    std::uint64_t constants_size = 0;      ///< Bytes.
 };
 
 /// What a range of invocations did. Exact, the same for every thread count, and free of any cost in SPIR-V.
@@ -57,9 +57,9 @@ struct CpuCounts {
 
 /// Everything a CPU kernel needs beside its invocation number.
 struct CpuArguments {
-    std::span<const Specialization> specialization;
-    std::span<const CpuBinding> bindings;  ///< Indexed by slot.
-    std::span<const std::byte> push_constants;
+    std::span<const Specialization> specialization{};
+    std::span<const CpuBinding> bindings{};  ///< Indexed by slot.
+    std::span<const std::byte> push_constants{};
     CpuCounts* counts = nullptr;  ///< Null: nothing is counted. Used by one thread at a time.
 };
 
@@ -85,13 +85,13 @@ enum class Stage : std::uint8_t {
 
 /// All members refer to static storage: a shader object lives as long as the program.
 struct Shader {
-    std::string_view name;
+    std::string_view name{};
     Stage stage = Stage::compute;
     std::uint32_t local_size[3] = {1, 1, 1};
     std::uint32_t push_constant_bytes = 0;  ///< At most 128.
-    std::span<const SlotDesc> slots;
-    std::span<const std::uint32_t> spirv;  ///< Vulkan 1.1 / SPIR-V 1.3, entry "main", validated at build time.
-    std::string_view glsl;                 ///< One self-contained source, `#version 450`; defines are listed in the prelude.
+    std::span<const SlotDesc> slots{};
+    std::span<const std::uint32_t> spirv{};  ///< Vulkan 1.1 / SPIR-V 1.3, entry "main", validated at build time.
+    std::string_view glsl{};                 ///< One self-contained source, `#version 450`; defines are listed in the prelude.
     CpuEntry cpu;
 };
 

@@ -88,15 +88,15 @@ using Pipeline = Handle<struct PipelineTag>;
 using BindingSet = Handle<struct BindingSetTag>;
 
 struct TextureDesc {
-    std::string name;  ///< Shown by debuggers and in messages.
+    std::string name{};  ///< Shown by debuggers and in messages.
     Dimension dimension = Dimension::d2;
     Format format = Format::undefined;
-    Extent extent;  ///< Each at least 1 and at most the device's limit.
+    Extent extent{};  ///< Each at least 1 and at most the device's limit.
     Usage usage = Usage::none;
 };
 
 struct BufferDesc {
-    std::string name;
+    std::string name{};
     std::uint64_t size = 0;  ///< Bytes, at least 1.
     Usage usage = Usage::none;
 };
@@ -112,10 +112,10 @@ struct SamplerDesc {
 
 /// A host's own texture, lent to Aureole. The host keeps ownership.
 struct ExternalTexture {
-    TextureDesc desc;
-    std::uint64_t native = 0;       ///< The backend's own object: the Vulkan image; unused on the CPU.
-    std::uint64_t native_view = 0;  ///< Optional, the Vulkan image view; 0 lets the backend make one.
-    void* cpu_texels = nullptr;     ///< CPU backend: the host's texels, tightly packed in `desc.format`.
+    TextureDesc desc{};
+    std::uint64_t native = 0;        ///< The backend's own object: the Vulkan image; unused on the CPU.
+    std::uint64_t native_view = 0;   ///< Optional, the Vulkan image view; 0 lets the backend make one.
+    void* cpu_texels = nullptr;      ///< CPU backend: the host's texels, tightly packed in `desc.format`.
     State state = State::undefined;  ///< State the texture is in when recording starts, and is left in when it ends.
 };
 

@@ -4,10 +4,11 @@
 // Vulkan loader is opened at run time: nothing here must be linked with libvulkan, and no symbol of it is defined here.
 //
 // What the states of aureole/rhi/types.h mean for a host's images (VkImageLayout):
-//   undefined -> UNDEFINED, sampled -> SHADER_READ_ONLY_OPTIMAL (d32_float: DEPTH_STENCIL_READ_ONLY_OPTIMAL),
-//   depth_read -> DEPTH_STENCIL_READ_ONLY_OPTIMAL, storage_write and general -> GENERAL,
-//   color_attachment -> COLOR_ATTACHMENT_OPTIMAL, copy_source -> TRANSFER_SRC_OPTIMAL,
-//   copy_destination -> TRANSFER_DST_OPTIMAL.
+//   undefined -> UNDEFINED, sampled -> SHADER_READ_ONLY_OPTIMAL, depth_read -> DEPTH_STENCIL_READ_ONLY_OPTIMAL,
+//   storage_write and general -> GENERAL, color_attachment -> COLOR_ATTACHMENT_OPTIMAL,
+//   copy_source -> TRANSFER_SRC_OPTIMAL, copy_destination -> TRANSFER_DST_OPTIMAL.
+// Images have one mip level and the format that the texture descriptor names (d32_float: VK_FORMAT_D32_SFLOAT, without
+// stencil), cubes are cube-compatible with six layers, and were made with the usage that the descriptor states.
 #pragma once
 
 #include <aureole/rhi/device.h>
@@ -22,18 +23,18 @@ namespace aureole::vulkan {
 
 /// One device as `list_vulkan_devices` found it.
 struct VulkanDeviceInfo {
-    std::uint32_t index = 0;  ///< Position in the list; what VulkanDeviceDesc::index selects.
-    std::string name;         ///< As the driver says it, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
-    std::string type;         ///< "discrete", "integrated", "virtual", "cpu" or "other".
-    std::string driver;       ///< Driver and version, e.g. "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)".
-    std::string api_version;  ///< Highest Vulkan version of the device, e.g. "1.3.230".
-    std::string problem;      ///< Why Aureole cannot use it; empty if it can.
+    std::uint32_t index = 0;    ///< Position in the list; what VulkanDeviceDesc::index selects.
+    std::string name{};         ///< As the driver says it, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
+    std::string type{};         ///< "discrete", "integrated", "virtual", "cpu" or "other".
+    std::string driver{};       ///< Driver and version, e.g. "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)".
+    std::string api_version{};  ///< Highest Vulkan version of the device, e.g. "1.3.230".
+    std::string problem{};      ///< Why Aureole cannot use it; empty if it can.
 };
 
 struct VulkanDeviceList {
-    std::vector<VulkanDeviceInfo> devices;  ///< In the loader's order.
-    std::string problem;                    ///< Why there can be no device at all (no loader, too old); else empty.
-    bool validation_available = false;      ///< VulkanDeviceDesc::validation can be asked for.
+    std::vector<VulkanDeviceInfo> devices{};  ///< In the loader's order.
+    std::string problem{};                    ///< Why there can be no device at all (no loader, too old); else empty.
+    bool validation_available = false;        ///< VulkanDeviceDesc::validation can be asked for.
 };
 
 /// What can run here, and why something cannot. Never throws for lack of Vulkan: that is `problem`.
@@ -46,7 +47,7 @@ struct VulkanDeviceDesc {
     /// Error(invalid_argument).
     int index = -1;
     /// Part of the device's name, upper or lower case; empty: any name. No match is an Error(unsupported).
-    std::string name;
+    std::string name{};
     /// Run under the Khronos validation layer with synchronization checks; findings go to the message callback as
     /// Severity::error and Severity::warning. Error(unsupported) if the layer is not installed.
     bool validation = false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -12,8 +13,8 @@ namespace aureole::cpu {
 
 class Workers {
 public:
-    /// 0: as many as the process may use.
-    explicit Workers(unsigned threads) : arena_(threads == 0 ? oneapi::tbb::task_arena::automatic : static_cast<int>(threads)) {
+    /// 0: as many as the process may use, which is also the most.
+    explicit Workers(unsigned threads) : arena_(static_cast<int>(threads == 0 ? allowed() : std::min(threads, allowed()))) {
         arena_.initialize();
     }
 
@@ -34,6 +35,12 @@ public:
     }
 
 private:
+    static unsigned allowed() {
+        using oneapi::tbb::global_control;
+        return static_cast<unsigned>(
+            std::max<std::size_t>(global_control::active_value(global_control::max_allowed_parallelism), 1));
+    }
+
     oneapi::tbb::task_arena arena_;
 };
 

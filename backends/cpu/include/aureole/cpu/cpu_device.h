@@ -17,7 +17,7 @@ enum class Precision : std::uint8_t {
 
 struct CpuDeviceDesc {
     Precision precision = Precision::float32;
-    unsigned threads = 0;     ///< 0: as many as the process may use; otherwise 1 to 1024. Results do not depend on it.
+    unsigned threads = 0;     ///< 1 to 1024, but no more than the process may use; 0: all. Results do not depend on it.
     bool count_work = false;  ///< Fill CpuDevice::work(). Costs a few percent.
 };
 

@@ -4,8 +4,9 @@ namespace aureole::vulkan {
 namespace {
 
 /// What must have ended: accesses in `before`, or, where the contents no longer matter, whatever was done last.
-StateAccess source_of(rhi::State before, const StateAccess& last, bool graphics, bool depth) noexcept {
-    if (before != rhi::State::undefined) return access_of(before, graphics, depth);
+StateAccess source_of(rhi::State before, const StateAccess& last, bool graphics,
+                      VkImageLayout read_layout = VK_IMAGE_LAYOUT_UNDEFINED) noexcept {
+    if (before != rhi::State::undefined) return access_of(before, graphics, read_layout);
     StateAccess source = last;
     source.layout = VK_IMAGE_LAYOUT_UNDEFINED;
     return source;
@@ -22,8 +23,8 @@ bool is_needless(const StateAccess& source, const StateAccess& destination) noex
 void BarrierBatch::add(TextureObject& texture, rhi::State before, rhi::State after) noexcept {
     // Nothing can be moved to `undefined`: the texture stays as it is until its contents are replaced.
     if (after == rhi::State::undefined) return;
-    const StateAccess source = source_of(before, texture.last_access, context_.graphics, texture.is_depth());
-    const StateAccess destination = access_of(after, context_.graphics, texture.is_depth());
+    const StateAccess source = source_of(before, texture.last_access, context_.graphics, texture.read_layout());
+    const StateAccess destination = access_of(after, context_.graphics, texture.read_layout());
     texture.last_access = destination;
     texture.last_state = after;
     if (is_needless(source, destination)) return;
@@ -46,8 +47,8 @@ void BarrierBatch::add(TextureObject& texture, rhi::State before, rhi::State aft
 
 void BarrierBatch::add(BufferObject& buffer, rhi::State before, rhi::State after) noexcept {
     if (after == rhi::State::undefined) return;
-    StateAccess source = source_of(before, buffer.last_access, context_.graphics, false);
-    StateAccess destination = access_of(after, context_.graphics, false);
+    StateAccess source = source_of(before, buffer.last_access, context_.graphics);
+    StateAccess destination = access_of(after, context_.graphics);
     source.layout = destination.layout = VK_IMAGE_LAYOUT_UNDEFINED;  // Buffers have none.
     buffer.last_access = destination;
     if (is_needless(source, destination)) return;

@@ -103,8 +103,7 @@ NativeBinding Device::native_binding(const rhi::SlotDesc& slot, const rhi::Bindi
     if (slot.kind == rhi::SlotKind::storage_texture)
         native.image = {VK_NULL_HANDLE, texture.storage_view(), VK_IMAGE_LAYOUT_GENERAL};
     else
-        native.image = {objects_.samplers.find(binding.sampler)->sampler(), texture.sampled_view(),
-                        sampled_layout(texture.is_depth())};
+        native.image = {objects_.samplers.find(binding.sampler)->sampler(), texture.sampled_view(), texture.read_layout()};
     return native;
 }
 

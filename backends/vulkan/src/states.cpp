@@ -2,20 +2,15 @@
 
 namespace aureole::vulkan {
 
-VkImageLayout sampled_layout(bool depth) noexcept {
-    return depth ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-}
-
-StateAccess access_of(rhi::State state, bool graphics, bool depth) noexcept {
+StateAccess access_of(rhi::State state, bool graphics, VkImageLayout read_layout) noexcept {
     const VkPipelineStageFlags fragment = graphics ? VkPipelineStageFlags{VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT} : 0;
     const VkPipelineStageFlags shaders = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | fragment;
     switch (state) {
         case rhi::State::undefined:
             return {};
         case rhi::State::sampled:
-            return {shaders, VK_ACCESS_SHADER_READ_BIT, 0, sampled_layout(depth)};
         case rhi::State::depth_read:
-            return {shaders, VK_ACCESS_SHADER_READ_BIT, 0, VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL};
+            return {shaders, VK_ACCESS_SHADER_READ_BIT, 0, read_layout};
         case rhi::State::storage_write:
             return {VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, 0, VK_ACCESS_SHADER_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL};
         case rhi::State::color_attachment:

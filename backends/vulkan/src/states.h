@@ -14,14 +14,12 @@ struct StateAccess {
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
 };
 
-/// `graphics`: the queue has graphics stages. `depth`: the format is a depth format, whose read-only layout differs.
-/// For State::undefined: nothing has been done yet.
-[[nodiscard]] StateAccess access_of(rhi::State state, bool graphics, bool depth) noexcept;
+/// `graphics`: the queue has graphics stages. `read_layout`: the layout in which shaders read the texture, whether its state
+/// is called sampled or depth_read; it stands in descriptors too. For State::undefined: nothing has been done yet.
+[[nodiscard]] StateAccess access_of(rhi::State state, bool graphics,
+                                    VkImageLayout read_layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL) noexcept;
 
 /// Work of which nothing is known: everything before it is waited for.
 [[nodiscard]] StateAccess unknown_access() noexcept;
-
-/// The layout in which a texture stands in a sampled slot.
-[[nodiscard]] VkImageLayout sampled_layout(bool depth) noexcept;
 
 }  // namespace aureole::vulkan

@@ -145,7 +145,12 @@ void TextureObject::start_recording() noexcept {
     if (!lent_) return;
     last_state = lent_state_;
     last_access =
-        lent_state_ == rhi::State::undefined ? unknown_access() : access_of(lent_state_, context_.graphics, is_depth());
+        lent_state_ == rhi::State::undefined ? unknown_access() : access_of(lent_state_, context_.graphics, read_layout());
+}
+
+VkImageLayout TextureObject::read_layout() const noexcept {
+    const bool host_reads_depth = lent_ && lent_state_ == rhi::State::depth_read;
+    return host_reads_depth ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
 }
 
 VkImageAspectFlags TextureObject::aspect() const noexcept { return aspect_of(desc_.format); }

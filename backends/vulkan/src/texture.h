@@ -28,6 +28,8 @@ public:
 
     [[nodiscard]] bool is_depth() const noexcept { return desc_.format == rhi::Format::d32_float; }
     [[nodiscard]] VkImageAspectFlags aspect() const noexcept;
+    /// Layout while shaders read it: a host's depth texture that is lent in State::depth_read stays as the host has it.
+    [[nodiscard]] VkImageLayout read_layout() const noexcept;
     [[nodiscard]] VkImageSubresourceRange whole() const noexcept;
     [[nodiscard]] VkImageSubresourceLayers layers() const noexcept;
     [[nodiscard]] VkExtent3D extent() const noexcept;

@@ -1,0 +1,74 @@
+// The validation layer really watches: mistakes made on purpose are found. Without this, its silence elsewhere means nothing.
+#include <doctest/doctest.h>
+
+#include "aureole_rhi_conformance_shaders.h"
+#include "rhi/harness.h"
+#include "test_support.h"
+
+using namespace aureole;
+using namespace aureole::rhi;
+using aureole::vulkan::test::TestDevice;
+
+namespace {
+
+/// Two dispatches, the second reading what the first wrote. `after_write`: the state the texture is moved to between them.
+void write_then_read(TestDevice& vulkan, bool barrier_between) {
+    conformance::Harness h({vulkan.device(), vulkan.queue()});
+    const Usage usage = Usage::sampled | Usage::storage | Usage::copy_destination;
+    const auto first = h.texture("first texture", Format::rgba32_float, {8, 8, 1}, usage);
+    const auto second = h.texture("second texture", Format::rgba32_float, {8, 8, 1}, usage);
+    const auto third = h.texture("third texture", Format::rgba32_float, {8, 8, 1}, usage);
+    const auto pipeline = h.compute(shaders::conformance_copy);
+    const auto sampler = h.sampler(Filter::nearest);
+    const auto one = h.bind(pipeline, {{0, first, sampler, {}}, {1, second, {}, {}}});
+    const auto two = h.bind(pipeline, {{0, second, sampler, {}}, {1, third, {}, {}}});
+    h.use(first, State::sampled);
+    h.use(second, State::storage_write);
+    h.use(third, State::storage_write);
+    h.dispatch(pipeline, one, {1, 2, 1});
+    if (barrier_between) h.use(second, State::sampled);
+    h.dispatch(pipeline, two, {1, 2, 1});
+    h.run();
+}
+
+}  // namespace
+
+TEST_CASE("a missing barrier is found by the synchronization checks, with the texture's name") {
+    AUREOLE_NEEDS_VULKAN;
+    TestDevice vulkan;
+    write_then_read(vulkan, false);
+    CHECK(vulkan.messages.mention("SYNC-HAZARD-READ-AFTER-WRITE"));  // the hazard itself
+    CHECK(vulkan.messages.mention("VUID-"));                         // and the layout, a core rule
+    CHECK(vulkan.messages.mention("second texture"));
+    vulkan.messages.texts.clear();
+
+    write_then_read(vulkan, true);
+    CHECK(vulkan.messages.joined() == "");
+}
+
+TEST_CASE("findings of the layer reach the device's message callback as errors") {
+    AUREOLE_NEEDS_VULKAN;
+    struct Seen {
+        int errors = 0;
+    } seen;
+    TestDevice vulkan;
+    vulkan.device().set_message_callback(
+        [](void* user, Severity severity, const char*) { static_cast<Seen*>(user)->errors += severity == Severity::error; },
+        &seen);
+    write_then_read(vulkan, true);
+    CHECK(seen.errors == 0);
+    write_then_read(vulkan, false);
+    CHECK(seen.errors > 0);
+    vulkan.messages.texts.clear();
+}
+
+TEST_CASE("an object that is never destroyed goes with the device") {
+    AUREOLE_NEEDS_VULKAN;
+    TestDevice vulkan;
+    (void)vulkan.device().create_texture({"kept", Dimension::d2, Format::rgba16_float, {4, 4, 1}, Usage::sampled});
+    (void)vulkan.device().create_sampler({});
+    (void)vulkan.device().create_compute_pipeline({"kept", &shaders::conformance_copy, {}});
+    const Texture doomed =
+        vulkan.device().create_texture({"doomed", Dimension::d2, Format::rgba16_float, {4, 4, 1}, Usage::sampled});
+    vulkan.device().destroy(doomed, 1000);  // a frame that never comes
+}

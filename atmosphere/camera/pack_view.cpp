@@ -116,7 +116,7 @@ ViewBlock pack_view(const Camera& camera, std::span<const Sun> suns, const Plane
     pack_suns(suns, up, view);
     const double distance = inputs.aerial_perspective_distance_m * 1e-3;
     view.froxels = {distance, 1 / distance, inputs.table_exposure, 1 / inputs.table_exposure};
-    view.composite = {inputs.exposure, static_cast<double>(inputs.frame & 0xffffu), 0, 0};
+    view.composite = {inputs.exposure, static_cast<double>(inputs.frame & 0xffffu), far_depth(camera), 0};
     return round_block<ViewBlock>(view);
 }
 

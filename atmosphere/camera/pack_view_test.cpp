@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 #include <array>
 #include <cmath>
+#include <glm/ext/matrix_clip_space.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
@@ -105,7 +106,10 @@ TEST_CASE("pack_view: rays, kinds, forward, frames") {
     const dvec3 centre = xyz(view.ray_origin) + 0.5 * xyz(view.ray_x) + 0.5 * xyz(view.ray_y);
     CHECK(glm::length(centre - forward) < 1e-6);
     CHECK(view.froxels == glm::vec4(32, 1 / 32.0f, 8, 0.125f));
-    CHECK(view.composite == glm::vec4(3, 7, 0, 0));
+    CHECK(view.composite == glm::vec4(3, 7, 0, 0));  // reversed depth: the far end is 0
+    Camera forward_depth = camera;
+    forward_depth.projection = glm::perspectiveRH_ZO(1.0, 1.5, 0.1, 100.0);
+    CHECK(pack_view(forward_depth, {}, planet).composite.z == 1);
     CHECK((view.depth.x * 0.01f + view.depth.y) / (view.depth.z * 0.01f + view.depth.w) == doctest::Approx(0.01).epsilon(1e-6));
     camera.kind = Projection::panorama;
     CHECK(pack_view(camera, {}, planet).ray_origin.w == 1);

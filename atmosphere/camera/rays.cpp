@@ -91,6 +91,12 @@ glm::dvec4 depth_coefficients(const Camera& camera) {
     return glm::dvec4(m.x * 1e-3, m.y * 1e-3, m.z, m.w) + 0.0;  // + 0 turns -0 into 0
 }
 
+double far_depth(const Camera& camera) {
+    const glm::dvec4 m = depth_coefficients(camera);
+    const auto nearness = [&](double d) { return (m.z * d + m.w) / (m.x * d + m.y); };  // 1 / depth: infinity is 0
+    return nearness(0) < nearness(1) ? 0 : 1;
+}
+
 void check_projection(const glm::dmat4& p) {
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)

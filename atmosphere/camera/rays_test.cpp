@@ -130,6 +130,14 @@ TEST_CASE("depth: the sky is infinitely far") {
         CHECK(depth_coefficients(Camera{.kind = kind}) == dvec4(0, 1, 0, 0));
 }
 
+TEST_CASE("depth: which end is far") {
+    for (const Case& c : cases()) {
+        CAPTURE(c.name);
+        const bool reversed = c.name.find("reversed") != std::string::npos;
+        CHECK(far_depth(Camera{.projection = c.projection, .depth_range = c.range}) == (reversed ? 0 : 1));
+    }
+}
+
 TEST_CASE("panorama: zenith is the planet's, forward the camera's heading") {
     const double azimuth = 0.7;
     for (const double elevation : {-pi / 2, -0.5, 0.0, 1.2, pi / 2}) {

@@ -51,7 +51,8 @@ struct ViewBlock {
     vec4 forward;       // unit vector of the view axis; w: 1 orthographic
     vec4 depth;         // view depth along forward, km = (x * d + y) / (z * d + w), d in [0, 1]; +infinity where d tells nothing
     vec4 froxels;       // x: distance of the last slice, km; y: 1 / x; z: exposure of the tables (pre-exposure); w: its inverse
-    vec4 composite;     // x: exposure; y: frame number for the dither, z, w: unused
+    vec4 composite;     // x: exposure; y: frame number for the dither; z: stored depth of the far end, 0 or 1: where nothing was
+                        // drawn; w: unused
     // Suns. direction: world axes, w: cosine of the zenith angle at the camera (mu_s).
     vec4 sun_direction[MAX_SUNS];
     vec4 sun_azimuth[MAX_SUNS];     // unit horizontal vector towards the sun, world axes; w: sine of the zenith angle

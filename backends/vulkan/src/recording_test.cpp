@@ -1,11 +1,11 @@
 // Recording in steady state allocates nothing, on the CPU or on the device; what is destroyed goes when its frame is done.
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <new>
 
 #include "aureole_rhi_conformance_shaders.h"
 #include "rhi/harness.h"
+#include "test_allocations.h"
 #include "test_host.h"
 #include "test_loader.h"
 
@@ -13,23 +13,6 @@ using namespace aureole;
 using namespace aureole::rhi;
 using namespace aureole::vulkan;
 using namespace aureole::vulkan::test;
-
-namespace {
-
-/// Allocations by operator new in this thread while `counting`.
-thread_local bool counting = false;
-thread_local int allocations = 0;
-
-}  // namespace
-
-// The program's own operator new, so that nobody's allocation is missed.
-void* operator new(std::size_t size) {
-    if (counting) ++allocations;
-    if (void* memory = std::malloc(size)) return memory;
-    throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -161,20 +144,20 @@ TEST_CASE("after the first frame recording allocates nothing and makes no Vulkan
     CHECK(objects_made > 5);
     for (int i = 0; i < 3; ++i) {
         const VkCommandBuffer commands = host.commands();
-        objects_made = allocations = 0;
-        counting = true;
+        objects_made = 0;
+        count_allocations(true);
         frame.record(guest->begin_recording(commands));
         guest->end_recording();
-        counting = false;
+        count_allocations(false);
         CHECK(objects_made == 0);
-        if (i > 0) CHECK(allocations == 0);
+        if (i > 0) CHECK(counted_allocations() == 0);
         host.submit_and_wait();
     }
     // The counter does count.
-    counting = true;
+    count_allocations(true);
     ::operator delete(::operator new(4));
-    counting = false;
-    CHECK(allocations == 1);
+    count_allocations(false);
+    CHECK(counted_allocations() == 1);
 }
 
 TEST_CASE("objects go when the frame that used them last is complete, not before and not later") {

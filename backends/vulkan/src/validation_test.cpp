@@ -46,6 +46,44 @@ TEST_CASE("a missing barrier is found by the synchronization checks, with the te
     CHECK(vulkan.messages.joined() == "");
 }
 
+TEST_CASE("each kind of reading waits for the write, also after another kind") {
+    AUREOLE_NEEDS_VULKAN;
+    TestDevice vulkan;
+    conformance::Harness h({vulkan.device(), vulkan.queue()});
+    // Written by an update, read as constants, then by a copy.
+    const auto block = h.buffer("block", 96, Usage::constants | Usage::copy_source);
+    const auto image = h.texture("image", Format::rgba32_float, {6, 1, 1}, Usage::storage);
+    const auto texture = h.texture("texture", Format::rgba32_float, {6, 1, 1}, Usage::copy_destination | Usage::copy_source);
+    const auto pipeline = h.compute(shaders::conformance_constants);
+    const auto set = h.bind(pipeline, {{0, {}, {}, block}, {1, image, {}, {}}});
+    h.use(block, State::copy_destination);
+    const float values[24] = {1, 2, 3, 4};
+    h.list().update_constants(block, conformance::bytes_of(values));
+    h.use(block, State::constants);
+    h.use(image, State::storage_write);
+    const float push[8] = {};
+    h.dispatch(pipeline, set, {1, 1, 1}, conformance::bytes_of(push));
+    h.use(block, State::copy_source);
+    h.use(texture, State::copy_destination);
+    h.list().copy(BufferToTexture{block, texture});
+    CHECK(h.read(texture)[0] == conformance::Texel{1, 2, 3, 4});
+    CHECK(vulkan.messages.joined() == "");
+
+    // Its contents are replaced: the copy must be over before.
+    h.use(block, State::copy_source);
+    h.use(texture, State::copy_destination);
+    h.list().copy(BufferToTexture{block, texture});
+    const BufferBarrier discard{block, State::undefined, State::copy_destination};
+    h.list().barrier({}, {&discard, 1});
+    h.list().update_constants(block, conformance::bytes_of(values));
+    const BufferBarrier written{block, State::copy_destination, State::copy_source};
+    h.list().barrier({}, {&written, 1});
+    const TextureBarrier again{texture, State::undefined, State::copy_destination};
+    h.list().barrier({&again, 1}, {});
+    h.list().copy(BufferToTexture{block, texture});
+    h.run();
+}
+
 TEST_CASE("findings of the layer reach the device's message callback as errors") {
     AUREOLE_NEEDS_VULKAN;
     struct Seen {

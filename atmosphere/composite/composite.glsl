@@ -30,7 +30,7 @@ SPEC_BOOL(22, DITHER, false)
 SPEC_BOOL(23, GIVEN_DIRECTIONS, false)
 
 struct CompositeTarget {
-    vec4 size;  // x, y: width and height of the target
+    vec4 size;  // x, y: width and height of the target; z: frame number, for the dither
 };
 PUSH_CONSTANTS(CompositeTarget, target)
 
@@ -108,7 +108,7 @@ vec3 pixel_radiance(ivec2 pixel) {
 }
 
 vec4 composite_pixel(ivec2 pixel) {
-    return vec4(display(pixel_radiance(pixel) * view.composite.x, pixel), real(1));
+    return vec4(display(pixel_radiance(pixel) * view.composite.x, pixel, target.size.z), real(1));
 }
 
 #endif

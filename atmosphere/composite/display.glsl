@@ -33,10 +33,10 @@ real triangular_noise(ivec2 pixel, real frame) {
     return sign(u) * (1 - sqrt(max(1 - abs(u), real(0))));
 }
 
-vec3 display(vec3 color, ivec2 pixel) {
+vec3 display(vec3 color, ivec2 pixel, real frame) {
     if (TONE_MAP == 1) color = aces_fitted(color);
     if (ENCODE_SRGB) color = encode_srgb(color);
-    if (DITHER) color += vec3(triangular_noise(pixel, view.composite.y) / real(255));
+    if (DITHER) color += vec3(triangular_noise(pixel, frame) / real(255));
     return color;
 }
 

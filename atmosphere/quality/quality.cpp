@@ -40,8 +40,9 @@ void check_samples(const char* field, int count, Sampling sampling) {
 
 void check_angular_order(const QualitySettings& s) {
     const bool mean_only = s.sampling == Sampling::published_2020;
-    if (s.angular_order == 0 || (s.angular_order == 2 && !mean_only)) return;
-    detail::reject("angular_order", std::to_string(s.angular_order), mean_only ? "0 with published_2020 sampling" : "0 or 2");
+    const int order = s.angular_order;
+    if (order == 0 || (!mean_only && (order == 2 || order == 4 || order == 8))) return;
+    detail::reject("angular_order", std::to_string(order), mean_only ? "0 with published_2020 sampling" : "0, 2, 4 or 8");
 }
 
 }  // namespace
@@ -59,6 +60,7 @@ void validate(const QualitySettings& s) {
     detail::check("multi_scatter_orders", s.multi_scatter_orders, 1, 64);
     check_size_2d("sky_view", s.sky_view, 4, 4096);
     check_samples("sky_view_nodes", s.sky_view_nodes, s.sampling);
+    check_samples("sky_view_space_nodes", s.sky_view_space_nodes, s.sampling);
     check_size("aerial_perspective", s.aerial_perspective, 2, 256);
     detail::check("aerial_perspective.depth", s.aerial_perspective.depth, 2, 256);
     detail::check("aerial_perspective_nodes", s.aerial_perspective_nodes, 1, 8);
@@ -72,14 +74,14 @@ QualitySettings QualitySettings::low() {
     QualitySettings s;
     s.name = "low";
     s.transmittance = {64, 16, 1};
-    s.transmittance_nodes = 8;
-    s.multi_scatter = {24, 12, 1};
+    s.transmittance_nodes = 6;
+    s.multi_scatter = {16, 8, 1};
     s.angular_order = 0;
     s.multi_scatter_zenith = 3;
-    s.multi_scatter_azimuth = 3;
-    s.multi_scatter_orders = 3;
+    s.multi_scatter_nodes = 6;
     s.sky_view = {24, 64, 1};
     s.sky_view_nodes = 6;
+    s.sky_view_space_nodes = 8;
     s.aerial_perspective = {16, 16, 16};
     return s;
 }
@@ -88,14 +90,13 @@ QualitySettings QualitySettings::high() {
     QualitySettings s;
     s.name = "high";
     s.transmittance = {256, 64, 1};
-    s.transmittance_nodes = 16;
-    s.multi_scatter = {64, 32, 1};
+    s.multi_scatter = {32, 16, 1};
     s.multi_scatter_zenith = 8;
-    s.multi_scatter_azimuth = 8;
-    s.multi_scatter_nodes = 10;
-    s.multi_scatter_orders = 8;
-    s.sky_view = {64, 256, 1};
-    s.sky_view_nodes = 16;
+    s.multi_scatter_azimuth = 5;
+    s.multi_scatter_nodes = 12;
+    s.multi_scatter_orders = 4;
+    s.sky_view = {64, 192, 1};
+    s.sky_view_nodes = 12;
     s.aerial_perspective = {32, 32, 64};
     s.aerial_perspective_nodes = 2;
     s.froxel_format = rhi::Format::rgba32_float;
@@ -116,6 +117,7 @@ QualitySettings QualitySettings::published_2020() {
     s.multi_scatter_orders = 1;
     s.sky_view = {200, 100, 1};
     s.sky_view_nodes = 30;
+    s.sky_view_space_nodes = 30;
     s.aerial_perspective = {32, 32, 32};
     s.aerial_perspective_nodes = 1;
     s.table_format = rhi::Format::rgba16_float;

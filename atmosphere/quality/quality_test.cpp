@@ -45,7 +45,8 @@ std::vector<Field> samples(int low, int high) {
     using Q = QualitySettings;
     return {{"transmittance_nodes", [](Q& q, int v) { q.transmittance_nodes = v; }, low, high},
             {"multi_scatter_nodes", [](Q& q, int v) { q.multi_scatter_nodes = v; }, low, high},
-            {"sky_view_nodes", [](Q& q, int v) { q.sky_view_nodes = v; }, low, high}};
+            {"sky_view_nodes", [](Q& q, int v) { q.sky_view_nodes = v; }, low, high},
+            {"sky_view_space_nodes", [](Q& q, int v) { q.sky_view_space_nodes = v; }, low, high}};
 }
 
 void check_range(const QualitySettings& valid, const std::vector<Field>& fields) {
@@ -104,8 +105,8 @@ TEST_CASE("quality: every choice") {
         return rejected_field([&] { validate(q); });
     };
     CHECK(rejected([](auto& q) { q.sampling = static_cast<Sampling>(9); }) == "sampling");
-    for (const int order : {-1, 1, 3, 5}) CHECK(rejected([&](auto& q) { q.angular_order = order; }) == "angular_order");
-    for (const int order : {0, 2}) CHECK(rejected([&](auto& q) { q.angular_order = order; }) == "nothing");
+    for (const int order : {-1, 1, 3, 5, 6, 7, 9, 16}) CHECK(rejected([&](auto& q) { q.angular_order = order; }) == "angular_order");
+    for (const int order : {0, 2, 4, 8}) CHECK(rejected([&](auto& q) { q.angular_order = order; }) == "nothing");
     CHECK(rejected([](auto& q) { q.angular_order = 2; }, QualitySettings::published_2020()) == "angular_order");
     for (const rhi::Format format : {rhi::Format::undefined, rhi::Format::r32_float, rhi::Format::rgba8_unorm}) {
         CHECK(rejected([&](auto& q) { q.table_format = format; }) == "table_format");

@@ -30,8 +30,6 @@ struct PassReport {
     std::string_view name{};  ///< "transmittance", "multi_scatter", "sky_view", "aerial_perspective", "light", "composite".
     bool recorded = false;    ///< False when nothing that it depends on had changed.
     std::uint64_t invocations = 0;         ///< Shader invocations.
-    std::uint64_t medium_evaluations = 0;  ///< At most: evaluations of density by all invocations (counted by formula).
-    std::uint64_t texture_fetches = 0;     ///< At most: filtered fetches by all invocations.
     std::uint64_t bytes_written = 0;
 };
 
@@ -121,6 +119,9 @@ public:
 
     /// Takes the frame's camera and suns (at most max_suns; none: night). Throws and changes nothing if a value is rejected.
     void update(const Camera& camera, std::span<const Sun> suns);
+
+    /// Replaces CompositeSettings::exposure. Finite, in [1e-30, 1e30].
+    void set_exposure(double exposure);
 
     /// Records sky-view, aerial perspective and light if camera, suns or air have changed.
     void record(rhi::CommandList& commands, TimestampSlots timestamps = {});

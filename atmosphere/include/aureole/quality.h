@@ -22,20 +22,21 @@ struct QualitySettings {
     rhi::Extent transmittance{128, 32, 1};  ///< Sun-zenith x altitude nodes. Each in [2, 4096].
     int transmittance_nodes = 10;           ///< Gauss nodes a ray (uniform steps in published_2020), in [2, 16] ([1, 256]).
 
-    rhi::Extent multi_scatter{32, 16, 1};  ///< Sun-cosine x altitude nodes. Each in [2, 256].
-    int angular_order = 2;                 ///< L of the moments: 0 (mean alone), 2; layouts exist for 4 and 8.
+    rhi::Extent multi_scatter{24, 12, 1};  ///< Sun-cosine x altitude nodes. Each in [2, 256].
+    int angular_order = 2;                 ///< L of the moments: 0 (mean alone), 2, 4 or 8; (L+1)(L+2)/2 layers.
     int multi_scatter_zenith = 4;          ///< Gauss directions on each side of the horizon, in [2, 16].
-    int multi_scatter_azimuth = 4;         ///< Directions on a half circle, in [2, 32].
-    int multi_scatter_nodes = 6;           ///< Gauss nodes a ray (uniform steps in published_2020), in [2, 16] ([1, 256]).
-    int multi_scatter_orders = 4;          ///< Passes of the fixed point before the rest is extrapolated, in [1, 64].
+    int multi_scatter_azimuth = 3;         ///< Directions on a half circle, in [2, 32].
+    int multi_scatter_nodes = 8;           ///< Gauss nodes a ray (uniform steps in published_2020), in [2, 16] ([1, 256]).
+    int multi_scatter_orders = 3;          ///< Passes of the fixed point before the rest is extrapolated, in [1, 64].
 
     rhi::Extent sky_view{32, 128, 1};  ///< Azimuth x elevation nodes. Each in [4, 4096].
     int sky_view_nodes = 8;            ///< Gauss nodes a ray segment (uniform steps in published_2020), in [2, 16] ([1, 256]).
+    int sky_view_space_nodes = 12;     ///< The same for a camera above the atmosphere, whose rays cross more of it.
 
     rhi::Extent aerial_perspective{32, 32, 32};  ///< Screen x screen x slices. Each in [2, 256].
-    int aerial_perspective_nodes = 1;            ///< Gauss nodes a slice, in [1, 8].
+    int aerial_perspective_nodes = 1;            ///< Slabs of constant air a slice, in [1, 8].
 
-    rhi::Format table_format = rhi::Format::rgba32_float;   ///< Transmittance, multi-scatter and sky-view: rgba16_ or rgba32_float.
+    rhi::Format table_format = rhi::Format::rgba32_float;   ///< Transmittance and sky-view: rgba16_ or rgba32_float. (Moments are always rgba32_float.)
     rhi::Format froxel_format = rhi::Format::rgba16_float;  ///< Aerial perspective: rgba16_ or rgba32_float.
 
     [[nodiscard]] static QualitySettings low();

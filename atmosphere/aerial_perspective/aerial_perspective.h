@@ -1,0 +1,28 @@
+// Recorder of the aerial-perspective pass. What the froxels hold: aerial_perspective.glsl.
+#pragma once
+
+#include "sky_view/sky_view.h"
+
+namespace aureole::detail {
+
+class AerialPerspectivePass {
+public:
+    /// `enabled` false: a texture of one texel stands in for the froxels, and record() only makes it readable.
+    AerialPerspectivePass(ViewResources& shared, bool enabled);
+
+    void record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
+    /// Makes the stand-in readable.
+    void prepare(rhi::CommandList& commands);
+    [[nodiscard]] bool enabled() const noexcept { return enabled_; }
+    [[nodiscard]] TrackedTexture& table() noexcept { return table_; }
+
+private:
+    bool enabled_;
+    const rhi::Shader* shader_ = nullptr;
+    TrackedTexture table_;
+    rhi::Extent invocations_;
+    rhi::Pipeline pipeline_;
+    rhi::BindingSet bindings_;
+};
+
+}  // namespace aureole::detail

@@ -1,0 +1,114 @@
+#include "composite/composite.h"
+
+#include "common/check.h"
+
+#include "aureole_atmosphere_shaders.h"
+
+#include <algorithm>
+
+namespace aureole::detail {
+namespace {
+
+bool same(const CompositeTargets& a, const CompositeTargets& b) {
+    return a.scene_color == b.scene_color && a.scene_depth == b.scene_depth && a.target == b.target &&
+           a.directions == b.directions && a.extent == b.extent;
+}
+
+}  // namespace
+
+void validate(const CompositeSettings& settings) {
+    check("composite.exposure", settings.exposure, 1e-30, 1e30);
+    if (settings.target_format == rhi::Format::undefined || settings.target_format == rhi::Format::d32_float)
+        reject("composite.target_format", rhi::to_string(settings.target_format), "a colour format");
+}
+
+CompositePass::CompositePass(ViewResources& shared, TrackedTexture& sky_view, TrackedTexture& aerial_perspective,
+                             bool has_froxels, const CompositeSettings& settings)
+    : shared_(shared),
+      sky_view_(sky_view),
+      aerial_perspective_(aerial_perspective),
+      has_froxels_(has_froxels),
+      settings_(settings),
+      shader_(settings.raster ? &shaders::composite_raster : &shaders::composite) {
+    prepared_.reserve(max_prepared + 1);
+    pipelines_[0] = pipeline(false);
+}
+
+rhi::Pipeline CompositePass::pipeline(bool given_directions) {
+    Specialize values = shared_.specialize();
+    values.set(16, settings_.scene_color).set(17, settings_.scene_depth).set(18, has_froxels_ && settings_.scene_depth);
+    values.set(19, settings_.sun_disk).set(20, static_cast<int>(settings_.tone_map)).set(21, settings_.encode_srgb);
+    values.set(22, settings_.dither).set(23, given_directions);
+    return settings_.raster ? shared_.objects.raster(*shader_, values.values(), settings_.target_format)
+                            : shared_.objects.compute(*shader_, values.values());
+}
+
+void CompositePass::check(const CompositeTargets& targets) const {
+    const auto need = [](bool wanted, rhi::Texture texture, const char* field) {
+        if (wanted && !texture) reject(field, "null", "a texture, as CompositeSettings asks for it");
+    };
+    need(true, targets.target, "targets.target");
+    need(settings_.scene_color, targets.scene_color, "targets.scene_color");
+    need(settings_.scene_depth, targets.scene_depth, "targets.scene_depth");
+    detail::check("targets.extent.width", targets.extent.width, 1, shared_.objects.device().capabilities().max_texture_2d);
+    detail::check("targets.extent.height", targets.extent.height, 1, shared_.objects.device().capabilities().max_texture_2d);
+}
+
+rhi::BindingSet CompositePass::bind(Objects& objects, const CompositeTargets& targets, rhi::Pipeline pipeline) const {
+    AirResources& air = shared_.air;
+    // Slots that the settings leave unread still need a readable texture.
+    const auto or_blank = [&](rhi::Texture texture) { return texture ? texture : air.profile_table.handle; };
+    const rhi::Binding slots[] = {{0, {}, {}, air.block.handle},
+                                  {1, {}, {}, shared_.block.handle},
+                                  {2, sky_view_.handle, air.linear, {}},
+                                  {3, shared_.transmittance.handle, air.linear, {}},
+                                  {4, aerial_perspective_.handle, air.linear, {}},
+                                  {5, or_blank(targets.scene_color), air.nearest, {}},
+                                  {6, or_blank(targets.scene_depth), air.nearest, {}},
+                                  {7, air.phase_table.handle, air.nearest, {}},
+                                  {8, or_blank(targets.directions), air.nearest, {}},
+                                  {9, targets.target, {}, {}}};
+    return objects.bindings("composite", pipeline, std::span(slots, settings_.raster ? 9 : 10));
+}
+
+void CompositePass::prepare(const CompositeTargets& targets) {
+    check(targets);
+    if (find(targets) != nullptr) return;
+    const bool given = static_cast<bool>(targets.directions);
+    if (!pipelines_[given ? 1 : 0]) pipelines_[1] = pipeline(true);
+    auto objects = shared_.objects.sibling();
+    const rhi::BindingSet set = bind(*objects, targets, pipelines_[given ? 1 : 0]);
+    prepared_.push_back({targets, std::move(objects), set, ++uses_});
+    if (prepared_.size() <= max_prepared) return;
+    const auto oldest = std::min_element(prepared_.begin(), prepared_.end(),
+                                         [](const Prepared& a, const Prepared& b) { return a.last_used < b.last_used; });
+    prepared_.erase(oldest);
+}
+
+CompositePass::Prepared* CompositePass::find(const CompositeTargets& targets) noexcept {
+    for (Prepared& p : prepared_)
+        if (same(p.targets, targets)) return &p;
+    return nullptr;
+}
+
+void CompositePass::record(rhi::CommandList& commands, const CompositeTargets& targets, std::uint64_t frame, PassReport& report,
+                           TimestampSlots timestamps, std::uint32_t index) {
+    Prepared* p = find(targets);
+    if (p == nullptr) return;
+    p->last_used = ++uses_;
+    const glm::vec4 size(static_cast<float>(targets.extent.width), static_cast<float>(targets.extent.height),
+                         static_cast<float>(frame % 1024), 0.0F);
+    const auto push = std::as_bytes(std::span(&size, 1));
+    const rhi::Pipeline pipeline = pipelines_[targets.directions ? 1 : 0];
+    PassScope scope(commands, report, timestamps, index);
+    const rhi::Extent pixels{targets.extent.width, targets.extent.height, 1};
+    if (settings_.raster) {
+        commands.draw_fullscreen({pipeline, p->bindings, push, targets.target});
+        report.invocations = std::uint64_t{pixels.width} * pixels.height;
+    } else {
+        scope.dispatch(*shader_, pipeline, p->bindings, pixels, push);
+    }
+    report.bytes_written = report.invocations * rhi::bytes_per_texel(settings_.target_format);
+}
+
+}  // namespace aureole::detail

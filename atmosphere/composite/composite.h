@@ -1,0 +1,49 @@
+// Recorder of the composite pass: composite.glsl as compute or as a full-screen draw into the host's target.
+#pragma once
+
+#include "sky_view/sky_view.h"
+
+#include <memory>
+#include <vector>
+
+namespace aureole::detail {
+
+void validate(const CompositeSettings& settings);
+
+class CompositePass {
+public:
+    CompositePass(ViewResources& shared, TrackedTexture& sky_view, TrackedTexture& aerial_perspective, bool has_froxels,
+                  const CompositeSettings& settings);
+
+    /// Makes bindings for these textures, and forgets the longest unused ones beyond `max_prepared`.
+    void prepare(const CompositeTargets& targets);
+    [[nodiscard]] bool prepared(const CompositeTargets& targets) noexcept { return find(targets) != nullptr; }
+    void record(rhi::CommandList& commands, const CompositeTargets& targets, std::uint64_t frame, PassReport& report,
+                TimestampSlots timestamps, std::uint32_t index);
+
+    static constexpr std::size_t max_prepared = 16;
+
+private:
+    struct Prepared {
+        CompositeTargets targets;
+        std::unique_ptr<Objects> objects;
+        rhi::BindingSet bindings;
+        std::uint64_t last_used = 0;
+    };
+    [[nodiscard]] Prepared* find(const CompositeTargets& targets) noexcept;
+    [[nodiscard]] rhi::Pipeline pipeline(bool given_directions);
+    [[nodiscard]] rhi::BindingSet bind(Objects& objects, const CompositeTargets& targets, rhi::Pipeline pipeline) const;
+    void check(const CompositeTargets& targets) const;
+
+    ViewResources& shared_;
+    TrackedTexture& sky_view_;
+    TrackedTexture& aerial_perspective_;
+    bool has_froxels_;
+    CompositeSettings settings_;
+    const rhi::Shader* shader_;
+    rhi::Pipeline pipelines_[2];  // camera rays, given directions (made when first prepared)
+    std::vector<Prepared> prepared_;
+    std::uint64_t uses_ = 0;
+};
+
+}  // namespace aureole::detail

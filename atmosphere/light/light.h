@@ -1,0 +1,26 @@
+// Recorder of the light pass: sky harmonics and sun colour for the host's own lights. What the table holds: light.comp.glsl.
+#pragma once
+
+#include "sky_view/sky_view.h"
+
+namespace aureole::detail {
+
+class LightPass {
+public:
+    /// `enabled` false: nothing is made or recorded.
+    LightPass(ViewResources& shared, TrackedTexture& sky_view, bool enabled);
+
+    void record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
+    [[nodiscard]] bool enabled() const noexcept { return enabled_; }
+    [[nodiscard]] TrackedTexture& table() noexcept { return table_; }
+
+private:
+    bool enabled_;
+    TrackedTexture table_;
+    TrackedBuffer quadrature_;
+    QuadratureBlock rule_;
+    rhi::Pipeline pipeline_;
+    rhi::BindingSet bindings_;
+};
+
+}  // namespace aureole::detail

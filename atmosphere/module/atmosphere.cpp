@@ -1,0 +1,154 @@
+#include "module/air.h"
+#include "module/requirements.h"
+
+#include "common/check.h"
+
+#include <algorithm>
+
+namespace aureole {
+namespace detail {
+namespace {
+
+constexpr rhi::Usage uploaded = rhi::Usage::sampled | rhi::Usage::copy_destination;
+
+/// A table of the host's, or one texel that stands in for it.
+rhi::TextureDesc table_desc(const char* name, int rows) {
+    const auto height = static_cast<std::uint32_t>(std::max(rows, 1));
+    const auto width = rows > 0 ? static_cast<std::uint32_t>(table_width) : 1U;
+    return {name, rhi::Dimension::d2, rhi::Format::r32_float, {width, height, 1}, uploaded};
+}
+
+std::span<const std::byte> texels_or_zero(const std::vector<float>& texels) {
+    static constexpr float zero = 0;
+    return texels.empty() ? std::as_bytes(std::span(&zero, 1)) : std::as_bytes(std::span(texels));
+}
+
+AtmosphereBlock block_of(const AtmosphereParameters& parameters, const PackedAtmosphere& packed, Sampling sampling) {
+    AtmosphereBlock block = packed.block;
+    block.sun_mapping = sun_mapping(parameters.planet, sampling);
+    return block;
+}
+
+}  // namespace
+
+AirTables::AirTables(rhi::Device& device, const std::uint64_t& frame, const AtmosphereParameters& parameters,
+                     const PackedAtmosphere& packed, const QualitySettings& settings)
+    : objects(device, frame),
+      structure(packed),
+      quality(settings),
+      block(block_of(parameters, packed, settings.sampling)),
+      block_buffer(objects.constants("atmosphere", sizeof block)),
+      profile_table(objects.texture(table_desc("profiles", packed.profile_rows))),
+      phase_table(objects.texture(table_desc("phases", packed.phase_rows))),
+      profile_upload(objects.upload("profiles upload", texels_or_zero(packed.profile_table))),
+      phase_upload(objects.upload("phases upload", texels_or_zero(packed.phase_table))),
+      shared{objects,     structure,   quality,
+             block_buffer, profile_table, phase_table,
+             objects.sampler(rhi::Filter::linear), objects.sampler(rhi::Filter::nearest)},
+      transmittance(shared),
+      multi_scatter(shared, transmittance.table()) {}
+
+bool AirTables::fits(const PackedAtmosphere& packed) const {
+    // Tables of the host's are uploaded once, when they are made.
+    return static_cast<const AirStructure&>(packed) == structure && packed.profile_rows == 0 && packed.phase_rows == 0;
+}
+
+void AirTables::set_block(const AtmosphereParameters& parameters, const PackedAtmosphere& packed) {
+    block = block_of(parameters, packed, quality.sampling);
+    block_changed_ = true;
+    transmittance_stale_ = true;
+    multi_scatter.restart();
+}
+
+void AirTables::record_uploads(rhi::CommandList& commands) {
+    for (auto [texture, buffer] : {std::pair(&profile_table, &profile_upload), std::pair(&phase_table, &phase_upload)}) {
+        if (texture->state != rhi::State::undefined) continue;
+        const rhi::BufferBarrier readable{buffer->handle, buffer->state, rhi::State::copy_source};
+        commands.barrier({}, std::span(&readable, 1));
+        buffer->state = rhi::State::copy_source;
+        move(commands, {{texture, rhi::State::copy_destination}});
+        commands.copy(rhi::BufferToTexture{buffer->handle, texture->handle});
+        move(commands, {{texture, rhi::State::sampled}});
+    }
+}
+
+void AirTables::record(rhi::CommandList& commands, int passes_per_frame, std::span<PassReport> reports,
+                       TimestampSlots timestamps) {
+    for (PassReport& report : reports) report.recorded = false;
+    record_uploads(commands);
+    if (block_changed_) update_block(commands, block_buffer, block);
+    block_changed_ = false;
+    if (transmittance_stale_) {
+        transmittance.record(commands, reports[0], timestamps, 0);
+        transmittance_stale_ = false;
+        ++version;
+    }
+    if (!multi_scatter.finished()) {
+        // The first solution is needed whole: there is no older table to show meanwhile.
+        const bool at_once = multi_scatter.table().state == rhi::State::undefined;
+        multi_scatter.record(commands, at_once ? 0 : passes_per_frame, reports[1], timestamps, 1);
+        if (multi_scatter.finished()) ++version;
+    }
+}
+
+}  // namespace detail
+
+Atmosphere::Impl::Impl(rhi::Device& device_in, const AtmosphereParameters& parameters_in, const QualitySettings& quality_in)
+    : device(device_in), parameters(parameters_in), quality(quality_in) {
+    validate(quality);
+    const detail::PackedAtmosphere packed = detail::pack_atmosphere(parameters);
+    detail::require_device(device, quality);
+    tables = std::make_unique<detail::AirTables>(device, frame, parameters, packed, quality);
+    reports[0].name = "transmittance";
+    reports[1].name = "multi_scatter";
+}
+
+Atmosphere::Atmosphere(rhi::Device& device, const AtmosphereParameters& parameters, const QualitySettings& quality)
+    : impl_(std::make_unique<Impl>(device, parameters, quality)) {}
+Atmosphere::~Atmosphere() = default;
+
+void Atmosphere::set_parameters(const AtmosphereParameters& parameters) {
+    Impl& impl = *impl_;
+    const detail::PackedAtmosphere packed = detail::pack_atmosphere(parameters);
+    AtmosphereParameters copy = parameters;
+    if (impl.tables->fits(packed)) {
+        impl.tables->set_block(copy, packed);
+        impl.parameters = std::move(copy);
+        for (detail::AirUser* user : impl.users) user->refresh();
+        return;
+    }
+    // Everything new is made before anything old is given up, so that a failure changes nothing.
+    auto tables = std::make_unique<detail::AirTables>(impl.device, impl.frame, copy, packed, impl.quality);
+    try {
+        for (detail::AirUser* user : impl.users) user->prepare(*tables);
+    } catch (...) {
+        for (detail::AirUser* user : impl.users) user->abandon();
+        throw;
+    }
+    tables->version = impl.tables->version + 1;
+    for (detail::AirUser* user : impl.users) user->commit();
+    impl.tables = std::move(tables);
+    impl.parameters = std::move(copy);
+    for (detail::AirUser* user : impl.users) user->refresh();
+}
+
+const AtmosphereParameters& Atmosphere::parameters() const noexcept { return impl_->parameters; }
+const QualitySettings& Atmosphere::quality() const noexcept { return impl_->quality; }
+
+void Atmosphere::set_multi_scatter_passes_per_frame(int passes) {
+    detail::check("multi_scatter_passes_per_frame", passes, 0, 64);
+    impl_->passes_per_frame = passes;
+}
+void Atmosphere::set_frame(std::uint64_t frame) noexcept { impl_->frame = frame; }
+
+void Atmosphere::record(rhi::CommandList& commands, TimestampSlots timestamps) {
+    impl_->tables->record(commands, impl_->passes_per_frame, impl_->reports, timestamps);
+}
+
+std::span<const PassReport> Atmosphere::reports() const noexcept { return impl_->reports; }
+rhi::Device& Atmosphere::device() const noexcept { return impl_->device; }
+rhi::Texture Atmosphere::transmittance_table() const noexcept { return impl_->tables->transmittance.table().handle; }
+rhi::Texture Atmosphere::multi_scatter_table() const noexcept { return impl_->tables->multi_scatter.table().handle; }
+std::uint64_t Atmosphere::table_bytes() const noexcept { return impl_->tables->objects.texture_bytes(); }
+
+}  // namespace aureole

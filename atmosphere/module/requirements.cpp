@@ -1,0 +1,59 @@
+#include "module/requirements.h"
+
+#include <algorithm>
+#include <string>
+
+namespace aureole::detail {
+namespace {
+
+[[noreturn]] void missing(const std::string& what, const std::string& has, const std::string& needed) {
+    throw Error(ErrorCode::unsupported, what, has, needed);
+}
+
+void require_table(const rhi::Device& device, rhi::Format format, rhi::Dimension dimension) {
+    const rhi::FormatSupport support = device.format_support(format, dimension);
+    if (support.sampled && support.linear_filter && support.storage) return;
+    const auto word = [](bool yes, const char* text) { return std::string(yes ? "" : "no ") + text; };
+    missing(std::string("device format ") + rhi::to_string(format) + " (" + rhi::to_string(dimension) + ")",
+            word(support.sampled, "sampling") + ", " + word(support.linear_filter, "linear filter") + ", " +
+                word(support.storage, "storage"),
+            "sampling, linear filter and storage; another table format can be chosen in QualitySettings");
+}
+
+void require_size(const char* what, std::uint32_t limit, std::uint32_t needed) {
+    if (limit < needed) missing(what, std::to_string(limit), "at least " + std::to_string(needed) + " texels a side");
+}
+
+}  // namespace
+
+void require_device(const rhi::Device& device, const QualitySettings& quality) {
+    const rhi::Capabilities& capabilities = device.capabilities();
+    if (!capabilities.storage_write_without_format)
+        missing("device.storage_write_without_format", "false", "true: kernels write images of several formats");
+    if (capabilities.max_push_constant_bytes < 16)
+        missing("device.max_push_constant_bytes", std::to_string(capabilities.max_push_constant_bytes), "at least 16");
+    require_table(device, quality.table_format, rhi::Dimension::d2);
+    require_table(device, rhi::Format::rgba32_float, rhi::Dimension::d2);
+    require_table(device, quality.froxel_format, rhi::Dimension::d3);
+    const auto moments = static_cast<std::uint32_t>((quality.angular_order + 1) * (quality.angular_order + 2) / 2);
+    const auto directions = static_cast<std::uint32_t>(2 * quality.multi_scatter_zenith * quality.multi_scatter_azimuth);
+    const bool published = quality.sampling == Sampling::published_2020;
+    const std::uint32_t rays = published ? 2 * quality.multi_scatter.width * quality.multi_scatter.height
+                                         : quality.multi_scatter.height * directions;
+    const std::uint32_t widest =
+        std::max({quality.transmittance.width, quality.transmittance.height, quality.multi_scatter.width,
+                  quality.multi_scatter.height * moments + 1, quality.sky_view.width, quality.sky_view.height, rays, 4096U});
+    require_size("device.max_texture_2d", capabilities.max_texture_2d, widest);
+    require_size("device.max_texture_3d", capabilities.max_texture_3d,
+                 std::max({quality.aerial_perspective.width, quality.aerial_perspective.height, quality.aerial_perspective.depth}));
+}
+
+void require_target(const rhi::Device& device, const CompositeSettings& settings) {
+    const rhi::FormatSupport support = device.format_support(settings.target_format, rhi::Dimension::d2);
+    const std::string what = std::string("device format ") + rhi::to_string(settings.target_format);
+    if (settings.raster && !device.capabilities().raster) missing("device.raster", "false", "true, or CompositeSettings::raster = false");
+    if (settings.raster && !support.color_attachment) missing(what, "no colour attachment", "colour attachment");
+    if (!settings.raster && !support.storage) missing(what, "no storage", "storage, or CompositeSettings::raster = true");
+}
+
+}  // namespace aureole::detail

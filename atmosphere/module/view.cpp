@@ -1,0 +1,193 @@
+#include "module/air.h"
+#include "module/requirements.h"
+
+#include "aerial_perspective/aerial_perspective.h"
+#include "camera/pack_view.h"
+#include "common/check.h"
+#include "composite/composite.h"
+#include "light/light.h"
+
+#include <aureole/rhi/log.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <spdlog/logger.h>
+
+namespace aureole {
+namespace detail {
+namespace {
+
+/// All device objects of a view that depend on the air.
+struct ViewTables {
+    ViewTables(AirTables& air, const ViewSettings& settings, const CompositeSettings& composite_settings)
+        : objects(air.objects.sibling()),
+          block_buffer(objects->constants("view", sizeof(ViewBlock))),
+          shared{*objects,     air.shared,        air.transmittance.table(), air.multi_scatter.table(),
+                 block_buffer, settings.max_suns},
+          sky_view(shared),
+          aerial_perspective(shared, settings.aerial_perspective),
+          light(shared, sky_view.table(), settings.light),
+          composite(shared, sky_view.table(), aerial_perspective.table(), settings.aerial_perspective, composite_settings) {}
+
+    std::unique_ptr<Objects> objects;
+    TrackedBuffer block_buffer;
+    ViewResources shared;
+    SkyViewPass sky_view;
+    AerialPerspectivePass aerial_perspective;
+    LightPass light;
+    CompositePass composite;
+};
+
+/// What tables are multiplied by so that twilight does not vanish in half floats: a power of two (exact), 1 by day, growing as
+/// the brightest sun sinks below the horizon, by the decade in 3 degrees that twilight loses at most.
+double table_exposure(const Camera& camera, std::span<const Sun> suns, double bottom_radius_m) {
+    const double r = glm::length(camera.position_m);
+    double depression = 90;
+    for (const Sun& sun : suns) {
+        const double cosine = glm::dot(camera.position_m, sun.direction) / (r * glm::length(sun.direction));
+        depression = std::min(depression, -std::asin(std::clamp(cosine, -1.0, 1.0)) * 180 / M_PI);
+    }
+    const double dip = r > bottom_radius_m ? std::acos(bottom_radius_m / r) * 180 / M_PI : 0;
+    const double decades = std::clamp((depression - dip) / 3, 0.0, 6.0);
+    return std::exp2(std::floor(decades * 3.3219280948873623));
+}
+
+void check_view(const ViewSettings& settings) {
+    check("view.max_suns", settings.max_suns, 1, max_suns);
+    check("view.aerial_perspective_distance_m", settings.aerial_perspective_distance_m, 1e-3, 1e13);
+}
+
+constexpr const char* pass_names[] = {"sky_view", "aerial_perspective", "light", "composite"};
+
+}  // namespace
+}  // namespace detail
+
+struct View::Impl final : detail::AirUser {
+    Impl(Atmosphere::Impl& air_in, const ViewSettings& settings_in, const CompositeSettings& composite_in)
+        : air(air_in), settings(settings_in), composite(composite_in) {
+        detail::check_view(settings);
+        detail::validate(composite);
+        detail::require_target(air.device, composite);
+        tables = std::make_unique<detail::ViewTables>(*air.tables, settings, composite);
+        for (std::size_t i = 0; i < reports.size(); ++i) reports[i].name = detail::pass_names[i];
+        suns.reserve(settings.max_suns);
+        air.users.push_back(this);
+    }
+    ~Impl() override { std::erase(air.users, this); }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
+    void prepare(detail::AirTables& new_air) override {
+        pending = std::make_unique<detail::ViewTables>(new_air, settings, composite);
+        for (const CompositeTargets& t : targets) pending->composite.prepare(t);
+    }
+    void commit() noexcept override {
+        tables = std::move(pending);
+        stale();
+    }
+    void abandon() noexcept override { pending.reset(); }
+    void stale() noexcept { sky_stale = froxels_stale = light_stale = block_stale = true; }
+
+    void refresh() override {
+        if (updated) use(pack(camera, suns));
+    }
+    [[nodiscard]] detail::ViewBlock pack(const Camera& by, std::span<const Sun> lit) const {
+        detail::ViewInputs inputs;
+        inputs.aerial_perspective_distance_m = settings.aerial_perspective_distance_m;
+        inputs.exposure = composite.exposure;
+        validate(by);
+        for (const Sun& sun : lit) validate(sun);
+        inputs.table_exposure = detail::table_exposure(by, lit, air.parameters.planet.bottom_radius_m);
+        return detail::pack_view(by, lit, air.parameters.planet, inputs);
+    }
+    void use(const detail::ViewBlock& fresh) {
+        block_stale |= std::memcmp(&fresh, &block, sizeof block) != 0;
+        sky_stale |= !(detail::SkyViewKey::of(fresh) == detail::SkyViewKey::of(block));
+        block = fresh;
+    }
+
+    Atmosphere::Impl& air;
+    ViewSettings settings;
+    CompositeSettings composite;
+    std::unique_ptr<detail::ViewTables> tables, pending;
+    std::vector<CompositeTargets> targets;  ///< Prepared ones, to be prepared again for new air.
+    detail::ViewBlock block{};
+    bool updated = false;
+    bool sky_stale = true, froxels_stale = true, light_stale = true, block_stale = true;
+    std::uint64_t air_version = 0;
+    Camera camera;
+    std::vector<Sun> suns;
+    std::array<PassReport, 4> reports;
+};
+
+View::View(Atmosphere& atmosphere, const ViewSettings& settings, const CompositeSettings& composite)
+    : impl_(std::make_unique<Impl>(atmosphere.impl(), settings, composite)) {}
+View::~View() = default;
+
+void View::update(const Camera& camera, std::span<const Sun> suns) {
+    Impl& impl = *impl_;
+    detail::check_count("suns", suns.size(), 0, impl.settings.max_suns);
+    impl.use(impl.pack(camera, suns));
+    impl.camera = camera;
+    impl.suns.assign(suns.begin(), suns.end());
+    impl.updated = true;
+}
+
+void View::set_exposure(double exposure) {
+    CompositeSettings changed = impl_->composite;
+    changed.exposure = exposure;
+    detail::validate(changed);
+    impl_->composite = changed;
+    impl_->refresh();
+}
+
+void View::record(rhi::CommandList& commands, TimestampSlots timestamps) {
+    Impl& impl = *impl_;
+    detail::ViewTables& tables = *impl.tables;
+    for (std::size_t i = 0; i < 3; ++i) impl.reports[i].recorded = false;
+    if (!impl.updated) {
+        log()->error("View::record: called before View::update; nothing is recorded");
+        return;
+    }
+    if (impl.air.tables->version != impl.air_version) impl.stale();
+    impl.air_version = impl.air.tables->version;
+    if (impl.block_stale) {
+        detail::update_block(commands, tables.block_buffer, impl.block);
+        impl.froxels_stale = impl.light_stale = true;
+    }
+    tables.aerial_perspective.prepare(commands);
+    if (impl.sky_stale) tables.sky_view.record(commands, impl.block, impl.reports[0], timestamps, 0);
+    if (impl.froxels_stale && tables.aerial_perspective.enabled())
+        tables.aerial_perspective.record(commands, impl.reports[1], timestamps, 1);
+    if (impl.light_stale && tables.light.enabled()) tables.light.record(commands, impl.reports[2], timestamps, 2);
+    impl.sky_stale = impl.froxels_stale = impl.light_stale = impl.block_stale = false;
+}
+
+void View::prepare_composite(const CompositeTargets& targets) {
+    Impl& impl = *impl_;
+    if (impl.tables->composite.prepared(targets)) return;
+    impl.targets.reserve(impl.targets.size() + 1);
+    impl.tables->composite.prepare(targets);
+    impl.targets.push_back(targets);
+    if (impl.targets.size() > detail::CompositePass::max_prepared) impl.targets.erase(impl.targets.begin());
+}
+
+void View::record_composite(rhi::CommandList& commands, const CompositeTargets& targets, TimestampSlots timestamps) {
+    Impl& impl = *impl_;
+    impl.reports[3].recorded = false;
+    if (!impl.tables->composite.prepared(targets)) {
+        log()->error("View::record_composite: these targets were not given to prepare_composite; nothing is recorded");
+        return;
+    }
+    impl.tables->composite.record(commands, targets, impl.air.frame, impl.reports[3], timestamps, 3);
+}
+
+std::span<const PassReport> View::reports() const noexcept { return impl_->reports; }
+rhi::Texture View::sky_view_table() const noexcept { return impl_->tables->sky_view.table().handle; }
+rhi::Texture View::aerial_perspective_table() const noexcept { return impl_->tables->aerial_perspective.table().handle; }
+rhi::Texture View::light_table() const noexcept { return impl_->tables->light.table().handle; }
+std::uint64_t View::table_bytes() const noexcept { return impl_->tables->objects->texture_bytes(); }
+
+}  // namespace aureole

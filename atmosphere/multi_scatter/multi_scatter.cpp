@@ -1,0 +1,181 @@
+#include "multi_scatter/multi_scatter.h"
+
+#include "quadrature/gauss_legendre.h"
+
+#include "aureole_atmosphere_shaders.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aureole::detail {
+namespace {
+
+constexpr rhi::Usage table_usage = rhi::Usage::sampled | rhi::Usage::storage;
+
+/// Moments are logarithms and ratios: half floats would lose a percent of the former.
+constexpr rhi::Format moment_format = rhi::Format::rgba32_float;
+
+std::uint32_t moment_count(const QualitySettings& quality) {
+    const auto order = static_cast<std::uint32_t>(quality.angular_order);
+    return (order + 1) * (order + 2) / 2;
+}
+
+/// One layer of altitude rows a moment, and a row for the ground.
+rhi::Extent table_extent(const QualitySettings& quality) {
+    return {quality.multi_scatter.width, quality.multi_scatter.height * moment_count(quality) + 1, 1};
+}
+
+/// Highest Legendre degree of the phase function that `azimuths` directions on a half circle can tell from lower ones, when the
+/// result is wanted up to degree 2 or so.
+int sharpest_degree(int azimuths) { return std::clamp(2 * azimuths - 3, 2, 11); }
+
+}  // namespace
+
+glm::vec4 sun_mapping(const Planet& planet, Sampling sampling) {
+    const double ratio = planet.bottom_radius_m / planet.top_radius_m;
+    const double dip_sine = std::sqrt((1 - ratio) * (1 + ratio));
+    // Published: linear in the cosine, which is the limit of a great width.
+    const double centre = sampling == Sampling::gauss ? -0.2 * dip_sine : 0;
+    const double width = sampling == Sampling::gauss ? 0.8 * dip_sine : 1e3;
+    const auto axis = [&](double mu) { return (mu - centre) / (width + std::abs(mu - centre)); };
+    return {static_cast<float>(centre), static_cast<float>(width), static_cast<float>(axis(-1)), static_cast<float>(axis(1))};
+}
+
+MultiScatterPass::MultiScatterPass(AirResources& shared, TrackedTexture& transmittance)
+    : published_(shared.quality.sampling == Sampling::published_2020),
+      passes_(published_ ? 1 : shared.quality.multi_scatter_orders) {
+    table_ = shared.objects.texture(
+        {"multi_scatter", rhi::Dimension::d2, moment_format, table_extent(shared.quality), table_usage});
+    if (published_) create_published(shared, transmittance);
+    else create_gauss(shared, transmittance);
+}
+
+void MultiScatterPass::create_gauss(AirResources& shared, TrackedTexture& transmittance) {
+    Objects& objects = shared.objects;
+    const QualitySettings& quality = shared.quality;
+    const auto directions = static_cast<std::uint32_t>(2 * quality.multi_scatter_zenith * quality.multi_scatter_azimuth);
+    const rhi::Extent ray_extent{quality.multi_scatter.width, quality.multi_scatter.height * directions, 1};
+    rays_ = objects.texture({"multi_scatter rays", rhi::Dimension::d2, moment_format, ray_extent, table_usage});
+    for (int i = 0; i < 2; ++i) {
+        order_[i] = objects.texture({"multi_scatter order", rhi::Dimension::d2, moment_format, table_.extent, table_usage});
+        sum_[i] = objects.texture({"multi_scatter sum", rhi::Dimension::d2, moment_format, table_.extent, table_usage});
+    }
+    ray_rule_ = quadrature_block(quality.multi_scatter_nodes);
+    zenith_rule_ = quadrature_block(quality.multi_scatter_zenith);
+    ray_quadrature_ = objects.constants("multi_scatter ray quadrature", sizeof ray_rule_);
+    zenith_quadrature_ = objects.constants("multi_scatter zenith quadrature", sizeof zenith_rule_);
+
+    const auto rays_values = [&](bool first) {
+        return Specialize(shared.air)
+            .set(8, quality.multi_scatter_nodes)
+            .set(9, quality.angular_order)
+            .set(10, first)
+            .set(11, !first)
+            .set(12, quality.multi_scatter_zenith)
+            .set(13, quality.multi_scatter_azimuth)
+            .set(14, sharpest_degree(quality.multi_scatter_azimuth));
+    };
+    first_rays_ = objects.compute(shaders::multi_scatter_rays, rays_values(true).values());
+    next_rays_ = objects.compute(shaders::multi_scatter_rays, rays_values(false).values());
+    moments_ = objects.compute(shaders::multi_scatter_moments, Specialize(shared.air)
+                                                                   .set(9, quality.angular_order)
+                                                                   .set(12, quality.multi_scatter_zenith)
+                                                                   .set(13, quality.multi_scatter_azimuth)
+                                                                   .values());
+
+    const auto ray_set = [&](rhi::Pipeline pipeline, const TrackedTexture& source) {
+        return objects.bindings("multi_scatter rays", pipeline,
+                                {{0, {}, {}, shared.block.handle},
+                                 {1, {}, {}, ray_quadrature_.handle},
+                                 {2, shared.profile_table.handle, shared.nearest, {}},
+                                 {3, transmittance.handle, shared.linear, {}},
+                                 {4, source.handle, shared.linear, {}},
+                                 {5, {}, {}, zenith_quadrature_.handle},
+                                 {6, rays_.handle, {}, {}}});
+    };
+    // The first pass has no source; any table that is readable stands in its slot.
+    first_rays_bindings_ = ray_set(first_rays_, transmittance);
+    const auto moment_set = [&](const TrackedTexture& order, const TrackedTexture& sum, const TrackedTexture& order_out,
+                                const TrackedTexture& sum_out) {
+        return objects.bindings("multi_scatter moments", moments_,
+                                {{0, {}, {}, shared.block.handle},
+                                 {1, {}, {}, zenith_quadrature_.handle},
+                                 {2, rays_.handle, shared.nearest, {}},
+                                 {3, order.handle, shared.nearest, {}},
+                                 {4, sum.handle, shared.nearest, {}},
+                                 {5, order_out.handle, {}, {}},
+                                 {6, sum_out.handle, {}, {}}});
+    };
+    for (int i = 0; i < 2; ++i) {
+        next_rays_bindings_[i] = ray_set(next_rays_, order_[i]);
+        first_moments_bindings_[i] = moment_set(rays_, rays_, order_[0], i == 1 ? table_ : sum_[0]);
+        for (int last = 0; last < 2; ++last)
+            moments_bindings_[last][i] = moment_set(order_[1 - i], sum_[1 - i], order_[i], last == 1 ? table_ : sum_[i]);
+    }
+}
+
+void MultiScatterPass::create_published(AirResources& shared, TrackedTexture& transmittance) {
+    Objects& objects = shared.objects;
+    const QualitySettings& quality = shared.quality;
+    const std::uint32_t nodes = quality.multi_scatter.width * quality.multi_scatter.height;
+    rays_ = objects.texture({"multi_scatter rays", rhi::Dimension::d2, moment_format, {64, 2 * nodes, 1}, table_usage});
+    first_rays_ = objects.compute(shaders::multi_scatter_rays_2020, Specialize(shared.air)
+                                                                        .set(8, quality.multi_scatter_nodes)
+                                                                        .set(9, 0)
+                                                                        .set(15, static_cast<int>(quality.multi_scatter.width))
+                                                                        .values());
+    moments_ = objects.compute(shaders::multi_scatter_2020, Specialize(shared.air).set(9, 0).values());
+    first_rays_bindings_ = objects.bindings("multi_scatter rays", first_rays_,
+                                            {{0, {}, {}, shared.block.handle},
+                                             {2, shared.profile_table.handle, shared.nearest, {}},
+                                             {3, transmittance.handle, shared.linear, {}},
+                                             {6, rays_.handle, {}, {}}});
+    first_moments_bindings_[0] = objects.bindings(
+        "multi_scatter", moments_,
+        {{0, {}, {}, shared.block.handle}, {2, rays_.handle, shared.nearest, {}}, {6, table_.handle, {}, {}}});
+}
+
+void MultiScatterPass::record(rhi::CommandList& commands, int passes, PassReport& report, TimestampSlots timestamps,
+                              std::uint32_t index) {
+    if (ray_quadrature_.handle && ray_quadrature_.state == rhi::State::undefined) {
+        update_block(commands, ray_quadrature_, ray_rule_);
+        update_block(commands, zenith_quadrature_, zenith_rule_);
+    }
+    PassScope scope(commands, report, timestamps, index);
+    report.bytes_written = 0;
+    const int end = passes <= 0 ? passes_ : std::min(passes_, next_ + passes);
+    for (; next_ < end; ++next_) {
+        if (published_) record_published(commands, scope);
+        else record_gauss(commands, scope);
+        report.bytes_written += rays_.bytes + (published_ ? table_.bytes : 2 * table_.bytes);
+    }
+}
+
+void MultiScatterPass::record_gauss(rhi::CommandList& commands, PassScope& scope) {
+    const bool first = next_ == 0;
+    const bool last = next_ + 1 == passes_;
+    const int parity = next_ % 2;
+    TrackedTexture& sum_out = last ? table_ : sum_[parity];
+
+    move(commands, {{&rays_, rhi::State::storage_write}});
+    scope.dispatch(shaders::multi_scatter_rays, first ? first_rays_ : next_rays_,
+                   first ? first_rays_bindings_ : next_rays_bindings_[1 - parity], rays_.extent);
+    move(commands, {{&rays_, rhi::State::sampled},
+                    {&order_[parity], rhi::State::storage_write},
+                    {&sum_out, rhi::State::storage_write}});
+    const glm::vec4 flags(first ? 1.0F : 0.0F, last ? 1.0F : 0.0F, 0.0F, 0.0F);
+    scope.dispatch(shaders::multi_scatter_moments, moments_,
+                   first ? first_moments_bindings_[last ? 1 : 0] : moments_bindings_[last ? 1 : 0][parity], table_.extent,
+                   std::as_bytes(std::span(&flags, 1)));
+    move(commands, {{&order_[parity], rhi::State::sampled}, {&sum_out, rhi::State::sampled}});
+}
+
+void MultiScatterPass::record_published(rhi::CommandList& commands, PassScope& scope) {
+    move(commands, {{&rays_, rhi::State::storage_write}});
+    scope.dispatch(shaders::multi_scatter_rays_2020, first_rays_, first_rays_bindings_, {64, rays_.extent.height / 2, 1});
+    move(commands, {{&rays_, rhi::State::sampled}, {&table_, rhi::State::storage_write}});
+    scope.dispatch(shaders::multi_scatter_2020, moments_, first_moments_bindings_[0], table_.extent);
+    move(commands, {{&table_, rhi::State::sampled}});
+}
+
+}  // namespace aureole::detail

@@ -1,0 +1,25 @@
+// Recorder of the transmittance pass. What the table holds: transmittance.glsl.
+#pragma once
+
+#include "common/pass.h"
+
+namespace aureole::detail {
+
+class TransmittancePass {
+public:
+    explicit TransmittancePass(AirResources& shared);
+
+    /// The first recording also fills the quadrature block.
+    void record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
+    [[nodiscard]] TrackedTexture& table() noexcept { return table_; }
+
+private:
+    const rhi::Shader* shader_;
+    TrackedTexture table_;
+    TrackedBuffer quadrature_;
+    QuadratureBlock rule_;
+    rhi::Pipeline pipeline_;
+    rhi::BindingSet bindings_;
+};
+
+}  // namespace aureole::detail

@@ -93,8 +93,8 @@ vec3 pixel_radiance(ivec2 pixel) {
         real d = texelFetch(scene_depth, pixel, 0).x;
         real divisor = view.depth.z * d + view.depth.w;
         real depth = (view.depth.x * d + view.depth.y) / divisor;
-        // At infinity the divisor vanishes: 1e7 km is beyond any geometry.
-        if (abs(divisor) > real(1e-12) && depth > 0 && depth < real(1e7)) distance_km = depth * ray.stretch;
+        // The far end of the depth range is nothing; at infinity the divisor vanishes; 1e7 km is beyond any geometry.
+        if (d != view.composite.z && abs(divisor) > real(1e-12) && depth > 0 && depth < real(1e7)) distance_km = depth * ray.stretch;
     }
     if (distance_km < 0) {
         vec3 radiance = sky(ray.direction, v);

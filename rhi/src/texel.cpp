@@ -31,10 +31,9 @@ double clamp_unit(double value) noexcept {
 std::uint8_t encode_unorm8(double value) noexcept {
     const double x = clamp_unit(value);
     const double low = std::floor(x * 255);
-    // The exact sign of x * 255 - (low + 1/2): fma rounds only once.
+    // The exact sign of x * 255 - (low + 1/2): fma rounds only once. The only tie is 1/2, and goes to 128, the even code.
     const double above = std::fma(x, 255.0, -(low + 0.5));
-    const int code = static_cast<int>(low);
-    return static_cast<std::uint8_t>(above > 0 || (above == 0 && code % 2 == 1) ? code + 1 : code);
+    return static_cast<std::uint8_t>(above >= 0 ? low + 1 : low);
 }
 
 double srgb_to_linear(double s) noexcept { return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4); }

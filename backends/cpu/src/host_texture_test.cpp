@@ -67,6 +67,26 @@ TEST_CASE("draws and copies reach the host's memory too") {
     CHECK(copied == memory);
 }
 
+TEST_CASE("what one command writes into the host's texture the next one reads, and it still arrives") {
+    const auto d = create_cpu_device({});
+    std::vector<std::byte> memory;
+    const rhi::Extent extent{5, 4, 1};
+    const auto host = wrap(*d, Format::r32_float, extent, memory);
+    const auto own = make_texture(*d, Format::r32_float, extent);
+    const auto pipeline = d->device().create_raster_pipeline({"pixel pass", &pixel_shader, {}, Format::r32_float});
+    auto& list = d->queue().begin();
+    list.draw_fullscreen({pipeline, {}, {}, host});
+    list.copy(rhi::TextureToTexture{host, own});
+    d->queue().submit();
+    float texels[20];
+    std::memcpy(texels, memory.data(), memory.size());
+    const auto copied = d->read_texels_double(own);
+    for (std::size_t i = 0; i < 20; ++i) {
+        CHECK(texels[i] == static_cast<float>(i % 5) / 8);
+        CHECK(copied[4 * i] == static_cast<double>(texels[i]));
+    }
+}
+
 TEST_CASE("work that fails leaves the host's memory as it was") {
     const auto d = create_cpu_device({});
     std::vector<std::byte> memory;

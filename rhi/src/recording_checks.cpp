@@ -56,7 +56,8 @@ std::string complain_buffer_texture(const BufferDesc* buffer, Usage buffer_usage
     if (!texture) return "copy: unknown or destroyed texture";
     if (!buffer) return "copy: unknown or destroyed buffer";
     if (auto text = complain_usage("texture", texture->name, texture->usage, texture_usage); !text.empty()) return text;
-    if (auto text = complain_usage("buffer", buffer->name, with_implied(buffer->usage), buffer_usage); !text.empty()) return text;
+    if (auto text = complain_usage("buffer", buffer->name, with_implied(buffer->usage), buffer_usage); !text.empty())
+        return text;
     if (buffer->size < packed_size(*texture))
         return "copy: " + field_name("buffer", buffer->name, "") + " has " + std::to_string(buffer->size) + " bytes, " +
                field_name("texture", texture->name, "") + " needs " + std::to_string(packed_size(*texture));

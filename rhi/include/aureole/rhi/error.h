@@ -9,13 +9,13 @@ namespace aureole {
 
 /// What kind of thing went wrong. A host switches on this; people read `Error::what()`.
 enum class ErrorCode {
-    invalid_argument,    ///< A value given by the caller is outside its documented range.
-    unsupported,         ///< The device lacks a format, feature or limit that the request needs.
-    out_of_memory,       ///< Host or device memory could not be had.
-    device_lost,         ///< The device stopped working; every object made from it is dead.
-    io,                  ///< A file could not be read or written (samples only).
-    misuse,              ///< The interface was called in a forbidden order or state.
-    internal             ///< A bug in Aureole or in the driver.
+    invalid_argument,  ///< A value given by the caller is outside its documented range.
+    unsupported,       ///< The device lacks a format, feature or limit that the request needs.
+    out_of_memory,     ///< Host or device memory could not be had.
+    device_lost,       ///< The device stopped working; every object made from it is dead.
+    io,                ///< A file could not be read or written (samples only).
+    misuse,            ///< The interface was called in a forbidden order or state.
+    internal           ///< A bug in Aureole or in the driver.
 };
 
 /// Short name of a code, e.g. "invalid_argument". Never null, never throws.

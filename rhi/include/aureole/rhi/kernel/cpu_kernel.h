@@ -37,9 +37,12 @@ struct SampledTexture {
         return {t[0], t[1], t[2], t[3]};
     }
 };
-template <class real> struct Sampler2D : SampledTexture<real> {};
-template <class real> struct Sampler3D : SampledTexture<real> {};
-template <class real> struct SamplerCube : SampledTexture<real> {};
+template <class real>
+struct Sampler2D : SampledTexture<real> {};
+template <class real>
+struct Sampler3D : SampledTexture<real> {};
+template <class real>
+struct SamplerCube : SampledTexture<real> {};
 
 template <class real>
 struct StorageImage {
@@ -54,13 +57,18 @@ struct StorageImage {
         if (counts) ++counts->stores, counts->bytes += bytes_per_texel(format);
         real* t = texels + 4 * ((static_cast<std::ptrdiff_t>(z) * height + y) * width + x);
         for (int i = 0; i < 4; ++i) t[i] = value[i];
-        if (exact) confine(format, t);
-        else quantize(format, t);
+        if (exact)
+            confine(format, t);
+        else
+            quantize(format, t);
     }
 };
-template <class real> struct Image2D : StorageImage<real> {};
-template <class real> struct Image3D : StorageImage<real> {};
-template <class real> struct ImageCube : StorageImage<real> {};
+template <class real>
+struct Image2D : StorageImage<real> {};
+template <class real>
+struct Image3D : StorageImage<real> {};
+template <class real>
+struct ImageCube : StorageImage<real> {};
 
 /// The two texels and the weight along one axis. Texel centres are at (i + 1/2) / size.
 template <class real>
@@ -142,26 +150,46 @@ inline glm::vec<4, real> texelFetch(const Sampler2D<real>& s, const glm::ivec2& 
 template <class real>
 inline glm::vec<4, real> texelFetch(const Sampler3D<real>& s, const glm::ivec3& p, int) {
     if (s.counts) ++s.counts->fetches;
-    if (p.x < 0 || p.y < 0 || p.z < 0 || p.x >= s.width || p.y >= s.height || p.z >= s.depth)
-        return glm::vec<4, real>(real(0));
+    if (p.x < 0 || p.y < 0 || p.z < 0 || p.x >= s.width || p.y >= s.height || p.z >= s.depth) return glm::vec<4, real>(real(0));
     return s.fetch(p.x, p.y, p.z);
 }
-template <class real> inline glm::ivec2 textureSize(const Sampler2D<real>& s, int) { return {s.width, s.height}; }
-template <class real> inline glm::ivec3 textureSize(const Sampler3D<real>& s, int) { return {s.width, s.height, s.depth}; }
-template <class real> inline glm::ivec2 textureSize(const SamplerCube<real>& s, int) { return {s.width, s.height}; }
+template <class real>
+inline glm::ivec2 textureSize(const Sampler2D<real>& s, int) {
+    return {s.width, s.height};
+}
+template <class real>
+inline glm::ivec3 textureSize(const Sampler3D<real>& s, int) {
+    return {s.width, s.height, s.depth};
+}
+template <class real>
+inline glm::ivec2 textureSize(const SamplerCube<real>& s, int) {
+    return {s.width, s.height};
+}
 
-template <class real> inline void imageStore(const Image2D<real>& i, const glm::ivec2& p, const glm::vec<4, real>& v) {
+template <class real>
+inline void imageStore(const Image2D<real>& i, const glm::ivec2& p, const glm::vec<4, real>& v) {
     i.store(p.x, p.y, 0, v);
 }
-template <class real> inline void imageStore(const Image3D<real>& i, const glm::ivec3& p, const glm::vec<4, real>& v) {
+template <class real>
+inline void imageStore(const Image3D<real>& i, const glm::ivec3& p, const glm::vec<4, real>& v) {
     i.store(p.x, p.y, p.z, v);
 }
-template <class real> inline void imageStore(const ImageCube<real>& i, const glm::ivec3& p, const glm::vec<4, real>& v) {
+template <class real>
+inline void imageStore(const ImageCube<real>& i, const glm::ivec3& p, const glm::vec<4, real>& v) {
     i.store(p.x, p.y, p.z, v);
 }
-template <class real> inline glm::ivec2 imageSize(const Image2D<real>& i) { return {i.width, i.height}; }
-template <class real> inline glm::ivec3 imageSize(const Image3D<real>& i) { return {i.width, i.height, i.depth}; }
-template <class real> inline glm::ivec3 imageSize(const ImageCube<real>& i) { return {i.width, i.height, 6}; }
+template <class real>
+inline glm::ivec2 imageSize(const Image2D<real>& i) {
+    return {i.width, i.height};
+}
+template <class real>
+inline glm::ivec3 imageSize(const Image3D<real>& i) {
+    return {i.width, i.height, i.depth};
+}
+template <class real>
+inline glm::ivec3 imageSize(const ImageCube<real>& i) {
+    return {i.width, i.height, 6};
+}
 
 /// Base of every kernel class: hands out the resources that the kernel's members are initialized with.
 template <class real>
@@ -178,8 +206,10 @@ struct Context {
     [[nodiscard]] T specialization(std::uint32_t id, T fallback) const {
         for (const Specialization& s : arguments_->specialization) {
             if (s.id != id) continue;
-            if constexpr (std::is_same_v<T, bool>) return s.bits != 0;
-            else if constexpr (std::is_same_v<T, int>) return static_cast<int>(s.bits);
+            if constexpr (std::is_same_v<T, bool>)
+                return s.bits != 0;
+            else if constexpr (std::is_same_v<T, int>)
+                return static_cast<int>(s.bits);
             else {
                 float f;
                 std::memcpy(&f, &s.bits, sizeof f);
@@ -291,21 +321,21 @@ using glm::abs, glm::acos, glm::asin, glm::atan, glm::ceil, glm::clamp, glm::cos
 #define FRAGMENT_MAIN(pixel) vec4 kernel_main(const ivec2& pixel)
 
 /// First line of a kernel's class body: the type names of GLSL.
-#define AUREOLE_KERNEL_TYPES                 \
-    using vec2 = glm::vec<2, real>;          \
-    using vec3 = glm::vec<3, real>;          \
-    using vec4 = glm::vec<4, real>;          \
-    using mat3 = glm::mat<3, 3, real>;       \
-    using mat4 = glm::mat<4, 4, real>;       \
-    using ivec2 = glm::ivec2;                \
-    using ivec3 = glm::ivec3;                \
-    using ivec4 = glm::ivec4;                \
+#define AUREOLE_KERNEL_TYPES           \
+    using vec2 = glm::vec<2, real>;    \
+    using vec3 = glm::vec<3, real>;    \
+    using vec4 = glm::vec<4, real>;    \
+    using mat3 = glm::mat<3, 3, real>; \
+    using mat4 = glm::mat<4, 4, real>; \
+    using ivec2 = glm::ivec2;          \
+    using ivec3 = glm::ivec3;          \
+    using ivec4 = glm::ivec4;          \
     using uint = std::uint32_t;
 /// Opens the class template of a kernel; close it with `};` after including the kernel file.
-#define AUREOLE_DEFINE_CPU_KERNEL(Name)                        \
-    template <class real>                                      \
-    struct Name : ::aureole::rhi::kernel::Context<real> {      \
-        using ::aureole::rhi::kernel::Context<real>::Context;  \
+#define AUREOLE_DEFINE_CPU_KERNEL(Name)                       \
+    template <class real>                                     \
+    struct Name : ::aureole::rhi::kernel::Context<real> {     \
+        using ::aureole::rhi::kernel::Context<real>::Context; \
         AUREOLE_KERNEL_TYPES
 /// Both precisions of a kernel as an entry of a Shader.
 #define AUREOLE_CPU_ENTRY(Name) \

@@ -12,10 +12,9 @@ StateAccess source_of(rhi::State before, const StateAccess& last, bool graphics,
     return source;
 }
 
-/// Reads that the barrier before has already allowed.
+/// Reading goes on as before.
 bool is_needless(const StateAccess& source, const StateAccess& destination) noexcept {
-    return source.writes == 0 && destination.writes == 0 && source.layout == destination.layout &&
-           (destination.stages & ~source.stages) == 0 && (destination.reads & ~source.reads) == 0;
+    return source.writes == 0 && source == destination;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Recording in steady state allocates nothing, on the CPU or on the device; what is destroyed goes when its frame is done.
+// Recording in steady state allocates nothing, on the CPU or on the device, and leaves nothing open.
 #include <doctest/doctest.h>
 
 #include <new>
@@ -16,15 +16,25 @@ using namespace aureole::vulkan::test;
 
 namespace {
 
-int images_alive = 0, objects_made = 0;
-VKAPI_ATTR VkResult VKAPI_CALL count_image(VkDevice device, const VkImageCreateInfo* info,
-                                           const VkAllocationCallbacks* allocator, VkImage* image) {
-    ++images_alive;
-    return truth_of<PFN_vkCreateImage>("vkCreateImage")(device, info, allocator, image);
+int objects_made = 0, labels_open = 0, host_barriers = 0;
+VKAPI_ATTR void VKAPI_CALL open_label(VkCommandBuffer commands, const VkDebugUtilsLabelEXT* label) {
+    ++labels_open;
+    truth_of<PFN_vkCmdBeginDebugUtilsLabelEXT>("vkCmdBeginDebugUtilsLabelEXT")(commands, label);
 }
-VKAPI_ATTR void VKAPI_CALL uncount_image(VkDevice device, VkImage image, const VkAllocationCallbacks* allocator) {
-    if (image) --images_alive;
-    truth_of<PFN_vkDestroyImage>("vkDestroyImage")(device, image, allocator);
+VKAPI_ATTR void VKAPI_CALL close_label(VkCommandBuffer commands) {
+    --labels_open;
+    truth_of<PFN_vkCmdEndDebugUtilsLabelEXT>("vkCmdEndDebugUtilsLabelEXT")(commands);
+}
+VKAPI_ATTR void VKAPI_CALL note_host_barrier(VkCommandBuffer commands, VkPipelineStageFlags source, VkPipelineStageFlags target,
+                                             VkDependencyFlags flags, uint32_t memory_count, const VkMemoryBarrier* memory,
+                                             uint32_t buffer_count, const VkBufferMemoryBarrier* buffers, uint32_t image_count,
+                                             const VkImageMemoryBarrier* images) {
+    for (uint32_t i = 0; i < buffer_count; ++i)
+        host_barriers += source == VK_PIPELINE_STAGE_TRANSFER_BIT && target == VK_PIPELINE_STAGE_HOST_BIT &&
+                         buffers[i].srcAccessMask == VK_ACCESS_TRANSFER_WRITE_BIT &&
+                         buffers[i].dstAccessMask == VK_ACCESS_HOST_READ_BIT;
+    truth_of<PFN_vkCmdPipelineBarrier>("vkCmdPipelineBarrier")(commands, source, target, flags, memory_count, memory,
+                                                               buffer_count, buffers, image_count, images);
 }
 
 /// Counts the calls of a creating function.
@@ -160,48 +170,43 @@ TEST_CASE("after the first frame recording allocates nothing and makes no Vulkan
     CHECK(counted_allocations() == 1);
 }
 
-TEST_CASE("objects go when the frame that used them last is complete, not before and not later") {
+TEST_CASE("what the CPU reads back is made visible to it") {
+    // No check of the layer and no coherent device shows this one missing: the command itself is looked for.
     AUREOLE_NEEDS_VULKAN;
+    Host host;
     Lies lies;
-    lies.tell("vkCreateImage", count_image);
-    lies.tell("vkDestroyImage", uncount_image);
-    VulkanDeviceDesc desc;
-    desc.loader = lying_loader();
-    TestDevice vulkan(desc);
-    Device& device = vulkan.device();
-    images_alive = 0;
-    const auto make = [&] {
-        return device.create_texture({"short-lived", Dimension::d2, Format::rgba16_float, {4, 4, 1}, Usage::sampled});
-    };
-    const Texture first = make(), second = make();
-    CHECK(images_alive == 2);
-    device.destroy(first, 3);
-    device.destroy(second, 5);
-    CHECK(images_alive == 2);
-    device.collect(2);
-    CHECK(images_alive == 2);
-    device.collect(4);
-    CHECK(images_alive == 1);
-    device.collect(4);
-    CHECK(images_alive == 1);
-    device.collect(5);
-    CHECK(images_alive == 0);
+    lies.tell("vkCmdPipelineBarrier", note_host_barrier);
+    BorrowedVulkan lent = host.lend();
+    lent.get_instance_proc_addr = lying_loader();
+    const auto guest = borrow_vulkan_device(lent);
+    const Frame frame(guest->device());
+    host_barriers = 0;
+    frame.record(guest->begin_recording(host.commands()));  // copies into one read_back buffer
+    guest->end_recording();
+    CHECK(host_barriers == 1);
+    host.submit_and_wait();
+}
 
-    // A handle is dead at once, and never comes back.
-    Messages complaints;
-    device.set_message_callback(Messages::collect, &complaints);
-    device.destroy(first, 6);
-    CHECK(complaints.mention("destroy"));
-    device.set_message_callback(nullptr, nullptr);
-    CHECK(make() != first);
-
-    // The queue's wait completes all frames submitted so far.
-    const Texture third = make();
-    (void)vulkan.queue().begin();
-    const std::uint64_t frame = vulkan.queue().submit();
-    device.destroy(third, frame);
-    vulkan.queue().wait();
-    CHECK(images_alive == 1);
+TEST_CASE("markers that are left open end with the recording") {
+    AUREOLE_NEEDS_VULKAN;
+    Host host;
+    Lies lies;
+    lies.tell("vkCmdBeginDebugUtilsLabelEXT", open_label);
+    lies.tell("vkCmdEndDebugUtilsLabelEXT", close_label);
+    BorrowedVulkan lent = host.lend();
+    lent.get_instance_proc_addr = lying_loader();
+    const auto guest = borrow_vulkan_device(lent);
+    labels_open = 0;
+    CommandList& list = guest->begin_recording(host.commands());
+    list.begin_marker("one");
+    list.begin_marker("two");
+    list.begin_marker(nullptr);
+    CHECK(labels_open == 3);
+    list.end_marker();
+    CHECK(labels_open == 2);
+    guest->end_recording();
+    CHECK(labels_open == 0);
+    host.submit_and_wait();
 }
 
 TEST_CASE("the queue is used in order: begin, submit, wait") {
@@ -221,23 +226,4 @@ TEST_CASE("the queue is used in order: begin, submit, wait") {
     CHECK(complaints.mention("no marker"));
     vulkan.device().set_message_callback(nullptr, nullptr);
     CHECK(vulkan.queue().submit() == 2);
-}
-
-TEST_CASE("binding sets find room however many there are") {
-    AUREOLE_NEEDS_VULKAN;
-    TestDevice vulkan;
-    Device& device = vulkan.device();
-    const Texture texture =
-        device.create_texture({"volume", Dimension::d3, Format::rgba16_float, {4, 4, 4}, Usage::storage | Usage::sampled});
-    const Pipeline pipeline = device.create_compute_pipeline({"fill", &shaders::conformance_fill_3d, {}});
-    const Binding bindings[] = {{0, texture, {}, {}}};
-    std::vector<BindingSet> sets;
-    for (int round = 0; round < 3; ++round) {
-        for (int i = 0; i < 200; ++i) sets.push_back(device.create_binding_set({"set", pipeline, bindings}));
-        for (std::size_t i = 0; i < sets.size(); i += 2) device.destroy(sets[i], 1);
-        device.collect(1);
-        for (std::size_t i = sets.size(); i-- > 0;)
-            if (i % 2 == 0) sets.erase(sets.begin() + static_cast<std::ptrdiff_t>(i));
-    }
-    CHECK(sets.size() > 64);
 }

@@ -12,6 +12,7 @@ struct StateAccess {
     VkPipelineStageFlags stages = VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT;
     VkAccessFlags reads = 0, writes = 0;
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    [[nodiscard]] bool operator==(const StateAccess&) const noexcept = default;
 };
 
 /// `graphics`: the queue has graphics stages. `read_layout`: the layout in which shaders read the texture, whether its state

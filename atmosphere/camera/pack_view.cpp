@@ -37,7 +37,11 @@ void pack_place(const Camera& camera, const Planet& planet, const dvec3& up, Exa
     const Dip horizon = dip(in_air, planet.bottom_radius_m);
     view.camera = {in_air * 1e-3, -horizon.sine + 0.0, horizon.angle, above ? 1 : 0};
     const double top_dip = above ? dip(altitude - shell, planet.top_radius_m).angle : -std::numbers::pi / 2;
-    view.space = {altitude * 1e-3, top_dip, dip(altitude, planet.bottom_radius_m).angle, 0};
+    const double seen_dip = dip(altitude, planet.bottom_radius_m).angle;
+    view.space = {altitude * 1e-3, top_dip, seen_dip, 0};
+    const double upper = above ? seen_dip - top_dip : std::numbers::pi / 2 + seen_dip;
+    const double lower = std::numbers::pi / 2 - seen_dip;
+    view.horizon = {std::cos(seen_dip), std::sin(seen_dip), 1 / (2 * std::sin(upper / 2)), 1 / (2 * std::sin(lower / 2))};
 
     // East as on a globe whose axis is z, so that the frame turns with the place and not with the camera.
     dvec3 east = glm::cross(dvec3(0, 0, 1), up);

@@ -36,6 +36,8 @@ struct ViewBlock {
                         // horizon below the horizontal (dip), rad; w: 1 if the camera is above the atmosphere, else 0
     vec4 space;         // the camera above the atmosphere: x: its altitude, km; y: dip of the atmosphere's top seen from there,
                         // rad; z: dip of the ground's horizon seen from there, rad; w: unused. Inside: x as camera.x, y: -pi/2.
+    vec4 horizon;       // x, y: cosine and sine of the dip of the ground's horizon (space.z); z, w: 1 / chord of the angle that the
+                        // sky-view table spans above and below it (sky_view.glsl)
     vec4 up;            // unit vector from the planet's centre to the camera, world axes
     vec4 east;          // any horizontal unit vector, world axes; up, east, north right-handed
     vec4 north;
@@ -51,7 +53,7 @@ struct ViewBlock {
     vec4 forward;       // unit vector of the view axis; w: 1 orthographic
     vec4 depth;         // view depth along forward, km = (x * d + y) / (z * d + w), d in [0, 1]; +infinity where d tells nothing
     vec4 froxels;       // x: distance of the last slice, km; y: 1 / x; z: exposure of the tables (pre-exposure); w: its inverse
-    vec4 composite;     // x: exposure; y: frame number for the dither; z: stored depth of the far end, 0 or 1: where nothing was
+    vec4 composite;     // x: exposure; y: unused; z: stored depth of the far end, 0 or 1: where nothing was
                         // drawn; w: unused
     // Suns. direction: world axes, w: cosine of the zenith angle at the camera (mu_s).
     vec4 sun_direction[MAX_SUNS];

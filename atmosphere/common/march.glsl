@@ -102,17 +102,21 @@ RayLight march(Ray ray) {
     real cut1 = min(lowest, shadow.x);
     real cut2 = max(min(lowest, shadow.y), shadow.x);
     real cut3 = max(lowest, shadow.y);
+    real shortest = real(1e-7) * ray.end;
     real begin = real(0);
-    for (int piece = 0; piece < 4; ++piece) {
-        real end = piece == 0 ? cut1 : (piece == 1 ? cut2 : (piece == 2 ? cut3 : ray.end));
-        if (end - begin > real(1e-7) * ray.end) {
-            real middle = real(0.5) * (begin + end);
-            bool lit = middle < shadow.x || middle > shadow.y;
-            if (MULTIPLE_SCATTERING || lit) march_piece(ray, begin, end, middle < lowest, lit, light);
-            else light.depth += dark_depth(ray, begin, end, middle >= lowest);
-        }
-        begin = max(begin, end);
-    }
+    // Most rays are one piece. The condition stands at the end, because a vectorizing driver leaves a loop only there, and
+    // would otherwise run an empty round.
+    do {
+        real end = ray.end;
+        if (cut3 > begin + shortest) end = cut3;
+        if (cut2 > begin + shortest) end = cut2;
+        if (cut1 > begin + shortest) end = cut1;
+        real middle = real(0.5) * (begin + end);
+        bool lit = middle < shadow.x || middle > shadow.y;
+        if (MULTIPLE_SCATTERING || lit) march_piece(ray, begin, end, middle < lowest, lit, light);
+        else light.depth += dark_depth(ray, begin, end, middle >= lowest);
+        begin = end;
+    } while (begin < ray.end - shortest);
     return light;
 }
 

@@ -76,6 +76,11 @@ Specialize::Specialize(const AirStructure& air) {
 }
 
 Specialize& Specialize::set(std::uint32_t id, int value) {
+    for (rhi::Specialization& s : values_) {
+        if (s.id != id) continue;
+        s.bits = static_cast<std::uint32_t>(value);
+        return *this;
+    }
     values_.push_back({id, static_cast<std::uint32_t>(value)});
     return *this;
 }

@@ -64,6 +64,7 @@ public:
     Specialize() = default;
     /// Constants 0 to 5: the structure of the air (common/specialization.glsl, sky_view.glsl).
     explicit Specialize(const AirStructure& air);
+    /// Sets or replaces a constant.
     Specialize& set(std::uint32_t id, int value);
     [[nodiscard]] std::span<const rhi::Specialization> values() const noexcept { return values_; }
 

@@ -5,6 +5,8 @@
 #include "common/constants.glsl"
 #include "common/geometry.glsl"
 
+SPEC_INT(24, RAY_KIND, 0)  // 0 matrix, 1 panorama, 2 fisheye: as aureole::Projection
+
 struct ViewRay {
     vec3 direction;  // unit, world axes
     real stretch;    // distance along it per unit of view depth
@@ -19,11 +21,11 @@ ViewRay view_ray(real x, real y) {
     vec3 a = vec3(view.ray_origin);
     vec3 b = vec3(view.ray_x);
     vec3 c = vec3(view.ray_y);
-    if (view.ray_origin.w < real(0.5)) {
+    if (RAY_KIND == 0) {
         vec3 d = a + x * b + y * c;
         ray.stretch = sqrt(dot(d, d));
         ray.direction = d / ray.stretch;
-    } else if (view.ray_origin.w < real(1.5)) {
+    } else if (RAY_KIND == 1) {
         real azimuth = (2 * x - 1) * PI;
         real elevation = (real(0.5) - y) * PI;
         ray.direction = cos(elevation) * (cos(azimuth) * a + sin(azimuth) * b) + sin(elevation) * c;
@@ -39,13 +41,11 @@ ViewRay view_ray(real x, real y) {
     return ray;
 }
 
-// A direction as seen from the camera: its parts along and across the vertical. The elevation comes from both, so that it is
-// exact near the zenith as near the horizon.
+// A direction as seen from the camera: its parts along and across the vertical, both exact near the zenith and the horizon.
 struct ViewDirection {
     real mu;
     real sine;       // of the zenith angle
     vec3 horizontal; // unit (any horizontal vector at the zenith)
-    real elevation;  // above the horizontal, rad
 };
 ViewDirection view_direction(vec3 direction) {
     ViewDirection v;
@@ -54,9 +54,11 @@ ViewDirection view_direction(vec3 direction) {
     vec3 across = direction - v.mu * up;
     v.sine = sqrt(dot(across, across));
     v.horizontal = v.sine > real(1e-6) ? across / v.sine : vec3(view.east);
-    v.elevation = atan(v.mu, v.sine);
     return v;
 }
+
+// Sine of the angle by which a direction lies above the ground's horizon.
+real sine_above_horizon(ViewDirection v) { return v.mu * view.horizon.x + v.sine * view.horizon.y; }
 
 // Distance at which a camera above the air enters it, 0 inside it, -1 if the ray misses it.
 real distance_to_air(ViewDirection v) {

@@ -61,14 +61,13 @@ rhi::BindingSet CompositePass::bind(Objects& objects, const CompositeTargets& ta
     const rhi::Binding slots[] = {{0, {}, {}, air.block.handle},
                                   {1, {}, {}, shared_.block.handle},
                                   {2, sky_view_.handle, air.linear, {}},
-                                  {3, shared_.transmittance.handle, air.linear, {}},
                                   {4, aerial_perspective_.handle, air.linear, {}},
                                   {5, or_blank(targets.scene_color), air.nearest, {}},
                                   {6, or_blank(targets.scene_depth), air.nearest, {}},
                                   {7, air.phase_table.handle, air.nearest, {}},
                                   {8, or_blank(targets.directions), air.nearest, {}},
                                   {9, targets.target, {}, {}}};
-    return objects.bindings("composite", pipeline, std::span(slots, settings_.raster ? 9 : 10));
+    return objects.bindings("composite", pipeline, std::span(slots, settings_.raster ? 8 : 9));
 }
 
 void CompositePass::prepare(const CompositeTargets& targets) {

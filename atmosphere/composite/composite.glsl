@@ -8,13 +8,11 @@
 #include "common/specialization.glsl"
 
 #define AUREOLE_PHASE_TABLE 7
-#define AUREOLE_TRANSMITTANCE_TABLE
 #define AUREOLE_SKY_VIEW_TABLE
 #define AUREOLE_AERIAL_PERSPECTIVE_TABLE
 UNIFORMS(0, AtmosphereBlock, atm)
 UNIFORMS(1, ViewBlock, view)
 SAMPLER_2D(2, sky_view_table)
-SAMPLER_2D(3, transmittance_table)
 SAMPLER_3D(4, aerial_perspective_table)
 SAMPLER_2D(5, scene_color)
 SAMPLER_2D(6, scene_depth)
@@ -40,38 +38,26 @@ PUSH_CONSTANTS(CompositeTarget, target)
 #include "aerial_perspective/aerial_perspective.glsl"
 #include "composite/display.glsl"
 
-// Transmittance from the camera to space; 0 where the ground is in the way.
-vec3 transmittance_to_space(ViewDirection v) {
-    real dip = view.camera.w > real(0.5) ? view.space.z : view.camera.z;
-    if (v.elevation < -dip) return vec3(real(0));
-    real entry = distance_to_air(v);
-    if (entry < 0) return vec3(real(1));
-    Ray ray = air_ray(v, entry, 0, real(0));
-    vec3 depth = optical_depth_to_top(ray.altitude, max(ray.mu, -ray.mu));
-    if (ray.mu >= 0) return exp(-depth);
-    // Down to the lowest point and up again: twice the way from there, less the way from the camera backwards.
-    real lowest = -(bottom_radius() + ray.altitude) * ray.mu;
-    return exp(depth - real(2) * optical_depth_to_top(altitude_after(ray.altitude, ray.mu, lowest), real(0)));
-}
-
-// The disk of a sun where the view direction meets it, limb-darkened, through the air.
-vec3 disk_radiance(int sun, vec3 direction, ViewDirection v) {
+// The disk of a sun where the view direction meets it, limb-darkened, before the air.
+vec3 disk_radiance(int sun, vec3 direction) {
     vec3 apart = direction - vec3(view.sun_direction[sun]);
     real chord = dot(apart, apart);
-    if (chord >= view.sun_limb[sun].w) return vec3(real(0));
     real mu = sqrt(max(1 - chord * view.sun_disk[sun].w, real(1e-6)));
     vec3 limb = pow(vec3(mu), vec3(view.sun_limb[sun]));
-    return vec3(view.sun_irradiance[sun]) * vec3(view.sun_disk[sun]) * limb * transmittance_to_space(v);
+    return chord < view.sun_limb[sun].w ? vec3(view.sun_disk[sun]) * limb : vec3(real(0));
 }
 
-vec3 sky(vec3 direction, ViewDirection v) {
+// Sky and bare ground, with `beyond` (stars, say) behind the air.
+vec3 sky(vec3 direction, ViewDirection v, vec3 beyond) {
     vec3 radiance = vec3(real(0));
-    for (int sun = 0; sun < SUN_COUNT; ++sun) {
-        real azimuth_cosine = dot(v.horizontal, vec3(view.sun_azimuth[sun]));
-        real nu = dot(direction, vec3(view.sun_direction[sun]));
-        radiance += vec3(view.sun_irradiance[sun]) * sky_view_radiance(sun, v.elevation, azimuth_cosine, nu);
-        if (SUN_DISK) radiance += disk_radiance(sun, direction, v);
+    vec3 coordinates = vec3(real(0));
+    for (int sun = SUN_COUNT - 1; sun >= 0; --sun) {
+        coordinates = sky_view_coordinates(sun, v.mu, v.sine, dot(v.horizontal, vec3(view.sun_azimuth[sun])));
+        vec3 irradiance = vec3(view.sun_irradiance[sun]);
+        radiance += irradiance * sky_view_radiance(coordinates, dot(direction, vec3(view.sun_direction[sun])));
+        if (SUN_DISK) beyond += irradiance * disk_radiance(sun, direction);
     }
+    if ((SUN_DISK || SCENE_COLOR) && sine_above_horizon(v) >= 0) radiance += beyond * sky_view_transmittance(coordinates);
     return radiance;
 }
 
@@ -97,8 +83,7 @@ vec3 pixel_radiance(ivec2 pixel) {
         if (d != view.composite.z && abs(divisor) > real(1e-12) && depth > 0 && depth < real(1e7)) distance_km = depth * ray.stretch;
     }
     if (distance_km < 0) {
-        vec3 radiance = sky(ray.direction, v);
-        return SCENE_COLOR ? radiance + color * transmittance_to_space(v) : radiance;
+        return sky(ray.direction, v, color);
     }
     if (!AERIAL_PERSPECTIVE) return color;
     real entry = distance_to_air(v);

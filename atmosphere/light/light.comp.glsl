@@ -28,8 +28,8 @@ CONST(int, LIGHT_AZIMUTHS, 12)
 LOCAL_SIZE(10, 1, 1)
 
 // Sky radiance for the integral: aerosols' phases without their peak, which the few directions would miss or exaggerate.
-vec3 smooth_radiance(int sun, real elevation, real azimuth_cosine, real nu) {
-    vec3 coordinates = sky_view_coordinates(sun, elevation, azimuth_cosine);
+vec3 smooth_radiance(int sun, real mu, real sine, real azimuth_cosine, real nu) {
+    vec3 coordinates = sky_view_coordinates(sun, mu, sine, azimuth_cosine);
     vec3 radiance = sky_view_layer(coordinates, 0);
     int layer = 1;
     for (int c = 0; c < PHASE_COUNT; ++c) {
@@ -45,21 +45,20 @@ vec3 sky_coefficient(int sun, int coefficient) {
     vec3 up = vec3(view.up);
     vec3 towards = vec3(view.sun_azimuth[sun]);
     vec3 side = cross(up, towards);
-    real dip = view.camera.w > real(0.5) ? view.space.z : view.camera.z;
     vec3 sum = vec3(real(0));
     for (int half_sphere = 0; half_sphere < 2; ++half_sphere) {
         bool below = half_sphere == 1;
-        real range = below ? sky_view_lower_range() : sky_view_upper_range();
+        real range = sky_view_angle(real(1), below);
         for (int i = 0; i < LIGHT_ZENITHS; ++i) {
             real s = zenith_quadrature.node[i].x;
             real angle = range * s * s;
-            real elevation = (below ? -angle : angle) - dip;
+            real elevation = (below ? -angle : angle) - view.space.z;
             real weight = zenith_quadrature.node[i].y * range * 2 * s * cos(elevation) * (2 * PI / real(LIGHT_AZIMUTHS));
             for (int k = 0; k < LIGHT_AZIMUTHS; ++k) {
                 real azimuth = 2 * PI * (real(k) + real(0.5)) / real(LIGHT_AZIMUTHS);
                 vec3 direction = cos(elevation) * (cos(azimuth) * towards + sin(azimuth) * side) + sin(elevation) * up;
                 real nu = dot(direction, vec3(view.sun_direction[sun]));
-                sum += smooth_radiance(sun, elevation, cos(azimuth), nu) * (weight * world_harmonic(coefficient, direction));
+                sum += smooth_radiance(sun, sin(elevation), cos(elevation), cos(azimuth), nu) * (weight * world_harmonic(coefficient, direction));
             }
         }
     }

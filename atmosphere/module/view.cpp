@@ -25,7 +25,7 @@ struct ViewTables {
         : objects(air.objects.sibling()),
           block_buffer(objects->constants("view", sizeof(ViewBlock))),
           shared{*objects,     air.shared,        air.transmittance.table(), air.multi_scatter.table(),
-                 block_buffer, settings.max_suns},
+                 block_buffer, settings.max_suns, settings.projection},
           sky_view(shared),
           aerial_perspective(shared, settings.aerial_perspective),
           light(shared, sky_view.table(), settings.light),
@@ -59,6 +59,7 @@ void check_view(const ViewSettings& settings) {
     check("view.aerial_perspective_distance_m", settings.aerial_perspective_distance_m, 1e-3, 1e13);
 }
 
+constexpr const char* projection_names[] = {"matrix", "panorama", "fisheye"};
 constexpr const char* pass_names[] = {"sky_view", "aerial_perspective", "light", "composite"};
 
 }  // namespace
@@ -98,6 +99,10 @@ struct View::Impl final : detail::AirUser {
         inputs.aerial_perspective_distance_m = settings.aerial_perspective_distance_m;
         inputs.exposure = composite.exposure;
         validate(by);
+        if (by.kind != settings.projection)
+            detail::reject("camera.kind", detail::projection_names[static_cast<int>(by.kind)],
+                           std::string("ViewSettings::projection, ") +
+                               detail::projection_names[static_cast<int>(settings.projection)]);
         for (const Sun& sun : lit) validate(sun);
         inputs.table_exposure = detail::table_exposure(by, lit, air.parameters.planet.bottom_radius_m);
         return detail::pack_view(by, lit, air.parameters.planet, inputs);

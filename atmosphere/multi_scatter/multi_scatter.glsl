@@ -5,7 +5,8 @@
 // of the scattered radiance L up to l = ANGULAR_ORDER in real spherical harmonics that are symmetric about the vertical plane
 // of the sun (z up, x towards the sun's azimuth). With y_lm = Y_lm / Y_00 the table holds
 //   layer 0:               ln J, where J = 1/(4 pi) integral L, the mean radiance,
-//   layer l (l + 1)/2 + m: b_lm = integral L y_lm / integral L, for 1 <= l <= ANGULAR_ORDER, 0 <= m <= l,
+//   layer l (l + 1)/2 + m: n_lm b_lm, where b_lm = integral L y_lm / integral L and n_lm is the norm of y_lm, for
+//                          1 <= l <= ANGULAR_ORDER, 0 <= m <= l (times the norm, so that look-ups need none),
 //   one more row:          ln E, the diffuse irradiance of the ground (over mu_s alone),
 // stacked in y, rgb, per unit solar irradiance. Light scattered once more from all directions into v is then
 //   S(v) = J sum_c sigma_c (1 + sum_{l >= 1} p_l^c sum_m b_lm y_lm(v)).
@@ -88,7 +89,7 @@ vec3 scattered_diffuse(real altitude, real mu, real mu_s, real nu, vec3 scatteri
         real p_before = real(0);
         for (int l = m; l <= ANGULAR_ORDER; ++l) {
             if (l > 0)
-                by_degree[l] += (harmonic_norm(l, m) * p * c_m) * multi_scatter_layer(position, moment_layer(l, m), size, rows);
+                by_degree[l] += (p * c_m) * multi_scatter_layer(position, moment_layer(l, m), size, rows);
             real p_next = (real(2 * l + 1) * mu * p - real(l + m) * p_before) / real(l + 1 - m);
             p_before = p;
             p = p_next;

@@ -72,11 +72,11 @@ COMPUTE_MAIN(id) {
         vec3 radiance = vec3(texelFetch(rays, ivec2(id.x, q * rows + row), 0)) * direction.solid_angle;
         real x = direction.azimuth_cosine * sqrt(max((1 - direction.mu) * (1 + direction.mu), real(0)));
         total += radiance;
-        moment += ground ? radiance * max(direction.mu, real(0)) : radiance * (norm * harmonic(l, m, direction.mu, x));
+        moment += ground ? radiance * max(direction.mu, real(0)) : radiance * (norm * norm * harmonic(l, m, direction.mu, x));
     }
     vec3 least = vec3(LEAST_RADIANCE);
     vec3 mean = max(total / (4 * PI), least);
-    real bound = sqrt(real(2 * l + 1));  // |y_lm| <= sqrt(2 l + 1) by the addition theorem
+    real bound = norm * sqrt(real(2 * l + 1));  // |y_lm| <= sqrt(2 l + 1) by the addition theorem
     vec3 ratio = clamp(moment / max(total, least), vec3(-bound), vec3(bound));
     vec3 irradiance = max(moment, least);
     vec4 order = vec4(layer == 0 ? log(mean) : (ground ? log(irradiance) : ratio), real(0));

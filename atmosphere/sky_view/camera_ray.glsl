@@ -9,7 +9,7 @@
 // the limb is exact from any distance. On the shell's top mu^2 = 1 - (p / T)^2 = (T - p) (T + p) / T^2.
 Ray camera_ray(real angle, real azimuth_cosine, int sun) {
     bool space = view.camera.w > real(0.5);
-    real dip = space ? view.space.z : view.camera.z;
+    real dip = view.space.z;
     real elevation = angle - dip;
     real mu = sin(elevation);
     real sine = cos(elevation);

@@ -11,7 +11,7 @@ namespace aureole::detail {
 Specialize ViewResources::specialize() const {
     const bool published = air.quality.sampling == Sampling::published_2020;
     Specialize values(air.air);
-    values.set(6, static_cast<int>(suns)).set(7, published).set(9, air.quality.angular_order);
+    values.set(6, static_cast<int>(suns)).set(7, published).set(9, air.quality.angular_order).set(24, static_cast<int>(projection));
     // The published tables hold all phase functions applied.
     if (published) values.set(5, 0);
     return values;
@@ -31,7 +31,8 @@ SkyViewKey SkyViewKey::of(const ViewBlock& block) {
 SkyViewPass::SkyViewPass(ViewResources& shared) {
     const QualitySettings& quality = shared.air.quality;
     shader_ = quality.sampling == Sampling::published_2020 ? &shaders::sky_view_2020 : &shaders::sky_view;
-    const rhi::Extent extent{quality.sky_view.width, quality.sky_view.height * shared.suns * shared.layers_per_sun(), 1};
+    const rhi::Extent extent{quality.sky_view.width, quality.sky_view.height * (shared.suns * shared.layers_per_sun() + 1), 1};
+    invocations_ = {extent.width, quality.sky_view.height * shared.suns, 1};
     table_ = shared.objects.texture(
         {"sky_view", rhi::Dimension::d2, quality.table_format, extent, rhi::Usage::sampled | rhi::Usage::storage});
     create(shared, inside_, quality.sky_view_nodes);
@@ -67,7 +68,7 @@ void SkyViewPass::record(rhi::CommandList& commands, const ViewBlock& view, Pass
         update_block(commands, variant.quadrature, variant.rule);
     PassScope scope(commands, report, timestamps, index);
     move(commands, {{&table_, rhi::State::storage_write}});
-    scope.dispatch(*shader_, variant.pipeline, variant.bindings, table_.extent);
+    scope.dispatch(*shader_, variant.pipeline, variant.bindings, invocations_);
     move(commands, {{&table_, rhi::State::sampled}});
     report.bytes_written = table_.bytes;
 }

@@ -1,8 +1,9 @@
 // Sky-view table: everything the camera sees of the air and the bare ground, in all directions, per unit of solar irradiance.
-// One table a sun, with layers stacked in y:
+// Layers stacked in y, for each sun:
 //   layer 0:     radiance (1/sr) with the phase functions of molecules applied, multiple scattering, and the ground's reflection;
 //   layer 1 + i: single scattering by the i-th sharp phase function (aerosols) without its value. The look-up multiplies by
 //                p(nu) at the pixel's own nu, so the sun's aureole is as sharp as the phase function, at any table size.
+// and one more for all suns: the optical depth of the air in that direction, for the sun's disk and stars behind it.
 // Axes. x: cosine of the azimuth from the sun's, from 1 to -1: half a turn is enough by symmetry; what layers hold is close to a
 // low polynomial in that cosine, so it is the cheapest axis to compute and, measured, the one that needs the fewest texels.
 // y: angle from the horizon, 0 at the horizon's own row on each side, dense there; a look-up never mixes the two sides, so the
@@ -19,15 +20,17 @@ bool phase_is_sharp(int c) { return ((SHARP_PHASES >> c) & 1) != 0; }
 int sharp_phase_count() {
     return (SHARP_PHASES & 1) + ((SHARP_PHASES >> 1) & 1) + ((SHARP_PHASES >> 2) & 1) + ((SHARP_PHASES >> 3) & 1);
 }
-int sky_view_layers() { return 1 + sharp_phase_count(); }
+int sky_view_layers() { return 1 + sharp_phase_count(); }  // of a sun
+int sky_view_all_layers() { return SUN_COUNT * sky_view_layers() + 1; }
 
-// Angle in [0, range] from the horizon to position in [0, 1] within a side, and back.
-real sky_view_angle(real position, real range) { return range * position * position; }
-real sky_view_angle_position(real angle, real range) { return sqrt(clamp(angle / range, real(0), real(1))); }
-
-// Of the upper side: from the horizon to the zenith, or from space to the limb of the top. Of the lower: to the nadir.
-real sky_view_upper_range() { return view.camera.w > real(0.5) ? view.space.z - view.space.y : real(0.5) * PI + view.camera.z; }
-real sky_view_lower_range() { return real(0.5) * PI - (view.camera.w > real(0.5) ? view.space.z : view.camera.z); }
+// Position in [0, 1] on a side: the square root of the chord between the direction and the horizon below or above it,
+// 2 sin(angle / 2), over the greatest that occurs. The chord costs a pixel no inverse trigonometry: with the direction's
+// parts (sine, mu) and the horizon's (cos dip, -sin dip) its square is (sine - cos dip)^2 + (mu + sin dip)^2, exact at the horizon.
+// Upper side: from the horizon to the zenith, or from space to the limb of the top; lower side: to the nadir.
+real sky_view_angle(real position, bool below) {
+    real greatest = 1 / (below ? view.horizon.w : view.horizon.z);
+    return 2 * asin(min(real(0.5) * greatest * position * position, real(1)));
+}
 
 // x position of an azimuth with cosine c, and the cosine at a position. The published 2020 table uses sin(azimuth / 2).
 SPEC_BOOL(7, PUBLISHED_AZIMUTH, false)
@@ -38,29 +41,34 @@ real sky_view_azimuth_position(real azimuth_cosine) {
 real sky_view_azimuth_cosine(real position) { return 1 - 2 * (PUBLISHED_AZIMUTH ? position * position : position); }
 
 #ifdef AUREOLE_SKY_VIEW_TABLE
-// Texture coordinates of layer 0 of a sun for a direction: elevation above the horizontal (rad) at the camera and cosine of the
-// azimuth from the sun's. z: 0 where a camera in space looks past the air.
-vec3 sky_view_coordinates(int sun, real elevation, real azimuth_cosine) {
-    real dip = view.camera.w > real(0.5) ? view.space.z : view.camera.z;
-    real angle = elevation + dip;
-    bool below = angle < 0;
+// Texture coordinates of layer 0 of a sun for a direction: cosine and sine of its zenith angle, cosine of its azimuth from the
+// sun's. z: 0 where a camera in space looks past the air.
+vec3 sky_view_coordinates(int sun, real mu, real sine, real azimuth_cosine) {
+    bool below = mu * view.horizon.x + sine * view.horizon.y < 0;
+    real across = sine - view.horizon.x;
+    real along = mu + view.horizon.y;
+    real part = sqrt(across * across + along * along) * (below ? view.horizon.w : view.horizon.z);
     ivec2 size = textureSize(sky_view_table, 0);
-    int rows = size.y / (SUN_COUNT * sky_view_layers());
+    int rows = size.y / sky_view_all_layers();
     int half_rows = rows / 2;
-    real range = below ? sky_view_lower_range() : sky_view_upper_range();
-    real row = real(0.5) + sky_view_angle_position(abs(angle), range) * real(half_rows - 1) +
+    real row = real(0.5) + sqrt(min(part, real(1))) * real(half_rows - 1) +
                real(sun * sky_view_layers() * rows + (below ? 0 : half_rows));
-    bool past = view.camera.w > real(0.5) && angle > range;
+    bool past = view.camera.w > real(0.5) && !below && part > 1;
     return vec3(unit_to_texture(sky_view_azimuth_position(azimuth_cosine), size.x), row / real(size.y), past ? real(0) : real(1));
 }
 vec3 sky_view_layer(vec3 coordinates, int layer) {
-    real offset = real(layer) / real(SUN_COUNT * sky_view_layers());
+    real offset = real(layer) / real(sky_view_all_layers());
     return vec3(SAMPLE(sky_view_table, vec2(coordinates.x, coordinates.y + offset)));
 }
 
-// Radiance per unit of the sun's irradiance, 1/sr; nu is the cosine between the direction and the sun.
-vec3 sky_view_radiance(int sun, real elevation, real azimuth_cosine, real nu) {
-    vec3 coordinates = sky_view_coordinates(sun, elevation, azimuth_cosine);
+// Share of light from beyond the air that comes through it, for coordinates of sun 0. Below the horizon: what the air before
+// the ground would let through.
+vec3 sky_view_transmittance(vec3 coordinates) {
+    return coordinates.z > real(0.5) ? exp(-sky_view_layer(coordinates, SUN_COUNT * sky_view_layers())) : vec3(real(1));
+}
+
+// Radiance per unit of the irradiance of the coordinates' sun, 1/sr; nu is the cosine between the direction and that sun.
+vec3 sky_view_radiance(vec3 coordinates, real nu) {
     vec3 radiance = sky_view_layer(coordinates, 0);
     int layer = 1;
     for (int c = 0; c < PHASE_COUNT; ++c) {

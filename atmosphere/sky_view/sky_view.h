@@ -13,6 +13,7 @@ struct ViewResources {
     TrackedTexture& multi_scatter;
     TrackedBuffer& block;  ///< ViewBlock
     std::uint32_t suns;    ///< Rows of suns in every table of the view.
+    Projection projection;
     /// Specialization of every kernel that reads or writes a view's tables.
     [[nodiscard]] Specialize specialize() const;
     /// Layers a sun has in the view's tables: 1, and 1 for each sharp phase function.
@@ -47,6 +48,7 @@ private:
 
     const rhi::Shader* shader_;
     TrackedTexture table_;
+    rhi::Extent invocations_;
     Variant inside_, space_;
 };
 

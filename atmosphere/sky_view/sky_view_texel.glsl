@@ -6,14 +6,14 @@
 
 void sky_view_texel(ivec2 id) {
     ivec2 size = imageSize(sky_view_out);
-    int rows = size.y / (SUN_COUNT * sky_view_layers());
+    int rows = size.y / sky_view_all_layers();
     int sun = id.y / rows;
     if (id.x >= size.x || sun >= SUN_COUNT) return;
     int row = id.y % rows;
     int half_rows = rows / 2;
     bool below = row < half_rows;
     real position = texel_to_unit(below ? row : row - half_rows, half_rows);
-    real angle = sky_view_angle(position, below ? sky_view_lower_range() : sky_view_upper_range());
+    real angle = sky_view_angle(position, below);
 
     Ray ray = camera_ray(below ? -angle : angle, sky_view_azimuth_cosine(texel_to_unit(id.x, size.x)), sun);
     ray.ground = below;
@@ -37,6 +37,7 @@ void sky_view_texel(ivec2 id) {
         }
     }
     imageStore(sky_view_out, ivec2(id.x, base), vec4(radiance * exposure, real(0)));
+    if (sun == 0) imageStore(sky_view_out, ivec2(id.x, SUN_COUNT * sky_view_layers() * rows + row), vec4(light.depth, real(0)));
 }
 
 #endif

@@ -80,6 +80,7 @@ private:
 enum class ToneMap : std::uint8_t { none, aces_fitted };
 
 struct ViewSettings {
+    Projection projection = Projection::matrix;  ///< Of every camera that the view is given: kernels are made for it.
     std::uint32_t max_suns = 1;                    ///< In [1, 4].
     bool aerial_perspective = true;                ///< False: no froxels; the composite leaves geometry as it is.
     double aerial_perspective_distance_m = 96000;  ///< Depth of the last slice. Finite, > 0.

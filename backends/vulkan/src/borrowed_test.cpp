@@ -195,19 +195,19 @@ TEST_CASE("a texture lent in an undefined state is taken over, and forgetting it
     Host host;
     HostImage& image = host.make_image_2d(VK_FORMAT_R16G16B16A16_SFLOAT, extent, VK_IMAGE_USAGE_STORAGE_BIT);
     const auto guest = borrow_vulkan_device(host.lend());
-    for (int frame = 1; frame <= 2; ++frame) {
+    const Texture lent = guest->device().wrap_texture(
+        lend(image, "discarded", Format::rgba16_float, Usage::storage | Usage::copy_source, State::undefined));
+    for (int recording = 0; recording < 2; ++recording) {
         host.clear_color(image, 1, 1, 1, 1);  // work of the host on it that the guest has to wait for
-        const Texture lent = guest->device().wrap_texture(
-            lend(image, "discarded", Format::rgba16_float, Usage::storage | Usage::copy_source, State::undefined));
         CommandList& list = guest->begin_recording(host.commands());
         move(list, lent, State::undefined, State::storage_write);
         move(list, lent, State::storage_write, State::copy_source);
         guest->end_recording();
         image.layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;  // where the guest left it
-        host.submit_and_wait();
-        guest->device().destroy(lent, static_cast<std::uint64_t>(frame));
-        guest->device().collect(static_cast<std::uint64_t>(frame));
     }
+    host.submit_and_wait();
+    guest->device().destroy(lent, 1);
+    guest->device().collect(1);
     CHECK(host.read(image, {extent.width, extent.height, 1}, 8).size() == 8);
 }
 

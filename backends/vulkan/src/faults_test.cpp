@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cmath>
 #include <functional>
 
 #include "aureole_rhi_conformance_shaders.h"
@@ -95,6 +96,14 @@ VKAPI_ATTR void VKAPI_CALL no_half_storage(VkPhysicalDevice device, VkFormat for
     if (format == VK_FORMAT_R16G16B16A16_SFLOAT) properties->optimalTilingFeatures &= ~VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT;
     if (format == VK_FORMAT_R32G32B32A32_SFLOAT)
         properties->optimalTilingFeatures &= ~VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+}
+VKAPI_ATTR VkResult VKAPI_CALL small_images(VkPhysicalDevice device, VkFormat format, VkImageType type, VkImageTiling tiling,
+                                            VkImageUsageFlags usage, VkImageCreateFlags flags,
+                                            VkImageFormatProperties* properties) {
+    const auto real = truth_of<PFN_vkGetPhysicalDeviceImageFormatProperties>("vkGetPhysicalDeviceImageFormatProperties");
+    const VkResult result = real(device, format, type, tiling, usage, flags, properties);
+    properties->maxExtent.width = 500;
+    return result;
 }
 VKAPI_ATTR void VKAPI_CALL bare_queue(VkPhysicalDevice device, uint32_t* count, VkQueueFamilyProperties* families) {
     truth_of<PFN_vkGetPhysicalDeviceQueueFamilyProperties>("vkGetPhysicalDeviceQueueFamilyProperties")(device, count, families);
@@ -200,6 +209,54 @@ TEST_CASE("sizes beyond the device are refused before the driver sees them") {
     const Error long_buffer = failure_of([&] { (void)device.create_buffer({"long", std::uint64_t{1} << 60, Usage::upload}); });
     CHECK(long_buffer.code() == ErrorCode::unsupported);
     CHECK(mentions(long_buffer, "long"));
+}
+
+TEST_CASE("limits are those of images that can really be made") {
+    AUREOLE_NEEDS_VULKAN;
+    Lies lies;
+    lies.tell("vkGetPhysicalDeviceImageFormatProperties", small_images);
+    TestDevice vulkan(lied_to());
+    CHECK(vulkan.device().capabilities().max_texture_2d == 500);
+    CHECK(vulkan.device().capabilities().max_texture_3d == 500);
+    CHECK(vulkan.device().capabilities().max_texture_cube == 500);
+}
+
+TEST_CASE("the CPU reads and writes only what is for it and not more than there is") {
+    AUREOLE_NEEDS_VULKAN;
+    TestDevice vulkan;
+    Device& device = vulkan.device();
+    const Buffer up = device.create_buffer({"up", 16, Usage::upload}),
+                 down = device.create_buffer({"down", 16, Usage::read_back});
+    std::vector<std::byte> bytes(17);
+    const Error long_write = failure_of([&] { device.write_buffer(up, bytes); });
+    CHECK(long_write.code() == ErrorCode::invalid_argument);
+    CHECK(mentions(long_write, "up"));
+    CHECK(mentions(long_write, "17"));
+    CHECK(failure_of([&] { device.read_buffer(down, bytes); }).code() == ErrorCode::invalid_argument);
+    bytes.resize(16);
+    CHECK_NOTHROW(device.write_buffer(up, bytes));
+    CHECK_NOTHROW(device.read_buffer(down, bytes));
+    CHECK(failure_of([&] { device.write_buffer(down, bytes); }).code() == ErrorCode::misuse);
+    CHECK(failure_of([&] { device.read_buffer(up, bytes); }).code() == ErrorCode::misuse);
+    CHECK(failure_of([&] { device.read_buffer({}, bytes); }).code() == ErrorCode::misuse);
+    CHECK(failure_of([&] { device.write_buffer(Buffer{12345}, bytes); }).code() == ErrorCode::misuse);
+}
+
+TEST_CASE("timestamps that were never written are no numbers, and slots end where the capabilities say") {
+    AUREOLE_NEEDS_VULKAN;
+    TestDevice vulkan;
+    const std::uint32_t slots = vulkan.device().capabilities().timestamp_slots;
+    if (slots == 0) return;
+    std::vector<double> times(slots);
+    vulkan.queue().begin().timestamp(1);
+    (void)vulkan.queue().submit();
+    vulkan.queue().wait();
+    vulkan.device().read_timestamps(times);
+    CHECK(std::isnan(times[0]));
+    CHECK(!std::isnan(times[1]));
+    CHECK(std::isnan(times[slots - 1]));
+    times.push_back(0);
+    CHECK(failure_of([&] { vulkan.device().read_timestamps(times); }).code() == ErrorCode::invalid_argument);
 }
 
 TEST_CASE("a queue for compute alone has no raster and no timestamps, and works") {

@@ -123,14 +123,13 @@ std::string problem_of(const PhysicalDevice& device, const VkPhysicalDeviceFeatu
 }
 
 std::uint32_t choose_queue_family(const PhysicalDevice& device) {
-    std::uint32_t chosen = 0;
-    for (std::uint32_t i = static_cast<std::uint32_t>(device.queue_families.size()); i-- > 0;) {
-        const VkQueueFlags flags = device.queue_families[i].queueFlags;
-        if (!(flags & VK_QUEUE_COMPUTE_BIT)) continue;
-        chosen = i;
-        if (flags & VK_QUEUE_GRAPHICS_BIT) break;
-    }
-    return chosen;
+    const auto first_with = [&](VkQueueFlags flags) {
+        std::uint32_t i = 0;
+        while (i < device.queue_families.size() && (device.queue_families[i].queueFlags & flags) != flags) ++i;
+        return i;
+    };
+    const std::uint32_t draws = first_with(VK_QUEUE_COMPUTE_BIT | VK_QUEUE_GRAPHICS_BIT);
+    return draws < device.queue_families.size() ? draws : first_with(VK_QUEUE_COMPUTE_BIT);
 }
 
 const PhysicalDevice& choose(const std::vector<PhysicalDevice>& devices, const VulkanDeviceDesc& desc) {

@@ -21,7 +21,7 @@ SAMPLER_2D(8, directions)
 SPEC_BOOL(16, SCENE_COLOR, false)
 SPEC_BOOL(17, SCENE_DEPTH, false)
 SPEC_BOOL(18, AERIAL_PERSPECTIVE, false)
-SPEC_BOOL(19, SUN_DISK, true)
+CONST(bool, SUN_DISK, false)
 SPEC_INT(20, TONE_MAP, 0)  // 0 none, 1 ACES as fitted by Hill
 SPEC_BOOL(21, ENCODE_SRGB, false)
 SPEC_BOOL(22, DITHER, false)
@@ -50,13 +50,15 @@ vec3 disk_radiance(int sun, vec3 direction) {
 // Sky and bare ground, with `beyond` (stars, say) behind the air.
 vec3 sky(vec3 direction, ViewDirection v, vec3 beyond) {
     vec3 radiance = vec3(real(0));
-    vec3 coordinates = vec3(real(0));
-    for (int sun = SUN_COUNT - 1; sun >= 0; --sun) {
+    vec3 coordinates;
+    int sun = 0;
+    do {  // tested at the end: see march.glsl
         coordinates = sky_view_coordinates(sun, v.mu, v.sine, dot(v.horizontal, vec3(view.sun_azimuth[sun])));
         vec3 irradiance = vec3(view.sun_irradiance[sun]);
         radiance += irradiance * sky_view_radiance(coordinates, dot(direction, vec3(view.sun_direction[sun])));
         if (SUN_DISK) beyond += irradiance * disk_radiance(sun, direction);
-    }
+        ++sun;
+    } while (sun < SUN_COUNT);
     if ((SUN_DISK || SCENE_COLOR) && sine_above_horizon(v) >= 0) radiance += beyond * sky_view_transmittance(coordinates);
     return radiance;
 }

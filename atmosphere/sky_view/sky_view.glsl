@@ -61,10 +61,10 @@ vec3 sky_view_layer(vec3 coordinates, int layer) {
     return vec3(SAMPLE(sky_view_table, vec2(coordinates.x, coordinates.y + offset)));
 }
 
-// Share of light from beyond the air that comes through it, for coordinates of sun 0. Below the horizon: what the air before
+// Share of light from beyond the air that comes through it, for coordinates of the last sun. Below the horizon: what the air before
 // the ground would let through.
 vec3 sky_view_transmittance(vec3 coordinates) {
-    return coordinates.z > real(0.5) ? exp(-sky_view_layer(coordinates, SUN_COUNT * sky_view_layers())) : vec3(real(1));
+    return coordinates.z > real(0.5) ? exp(-sky_view_layer(coordinates, sky_view_layers())) : vec3(real(1));
 }
 
 // Radiance per unit of the irradiance of the coordinates' sun, 1/sr; nu is the cosine between the direction and that sun.

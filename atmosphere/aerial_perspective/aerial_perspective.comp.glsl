@@ -47,7 +47,8 @@ COMPUTE_MAIN(id) {
         real step_km = (end - begin) / real(SLICE_NODES);
         // A slab: extinction and source of its middle, integrated exactly for constant air, so that thick fog neither overshoots
         // nor loses light.
-        for (int k = 0; k < SLICE_NODES && step_km > 0; ++k) {
+        int k = 0;
+        do {  // tested at the end: see march.glsl
             real t = begin + (real(k) + real(0.5)) * step_km;
             real h = altitude_after(ray.altitude, ray.mu, t);
             real mu_s = sun_mu_after(ray, t, h);
@@ -63,7 +64,8 @@ COMPUTE_MAIN(id) {
             }
             radiance += weight * source;
             depth += slab;
-        }
+            ++k;
+        } while (k < SLICE_NODES);
         begin = end;
 
         store_froxel(ivec3(id.x, row, slice), rows, sun, depth, radiance, single);

@@ -1,0 +1,52 @@
+// What each setting of quality costs, all of them measured in one run.
+#pragma once
+
+#include "app/backend.h"
+
+#include <aureole/atmosphere.h>
+
+#include <aureole/rhi/shader.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace aureole::app {
+
+struct BenchOptions {
+    std::uint32_t width = 1280, height = 720;
+    std::uint32_t frames = 20;  ///< Measured rounds; two more come first and are thrown away.
+    bool raster = false;
+    bool counts = true;  ///< Also count the passes' work, with a run on the CPU backend.
+};
+
+/// Milliseconds: the middle and what 80 % of the samples lie between.
+struct Spread {
+    double median = 0, p10 = 0, p90 = 0;
+};
+[[nodiscard]] Spread spread_of(std::vector<double> samples);
+
+struct BenchPass {
+    std::string name;  ///< As in PassReport; "composite" without and "composite_geometry" with a host's colour and depth.
+    Spread milliseconds;
+    std::uint64_t invocations = 0;
+    rhi::CpuCounts counts;  ///< Of the same pass on the CPU backend, counted as it runs.
+};
+
+struct BenchResult {
+    std::string quality;
+    std::vector<BenchPass> passes;
+    Spread per_frame;  ///< sky_view + aerial_perspective + light.
+    Spread rebuild;    ///< transmittance + multi_scatter + per_frame.
+    std::uint64_t table_bytes = 0;  ///< Device memory of all tables of one planet and one view.
+
+    [[nodiscard]] const BenchPass& pass(std::string_view name) const;
+};
+
+/// For each of low, default, high and published-2020. Rounds go through all of them in turn, so that what else the machine does
+/// hits all alike. In every round sun and ground albedo have moved, so that every pass runs. Throws Error(unsupported) if the
+/// device has no clock.
+[[nodiscard]] std::vector<BenchResult> bench(Backend& backend, const BenchOptions& options,
+                                             const std::function<void()>& after_round);
+
+}  // namespace aureole::app

@@ -1,0 +1,119 @@
+#include "app/bench.h"
+#include "app/commands.h"
+#include "app/progress.h"
+#include "io/file.h"
+
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace aureole::app {
+namespace {
+
+struct BenchCommand {
+    BackendOptions backend;
+    std::string size = "1280x720";
+    std::filesystem::path json;
+    BenchOptions options;
+};
+
+double ratio(double a, double b) { return b > 0 ? a / b : 0; }
+
+void print_result(const BenchResult& result) {
+    std::printf("\n%s: tables of %.2f MiB\n", result.quality.c_str(), static_cast<double>(result.table_bytes) / (1 << 20));
+    std::printf("  %-20s %10s %21s %12s %12s %12s\n", "pass", "median_ms", "p10_ms .. p90_ms", "evaluations", "look-ups", "bytes");
+    const auto line = [](const char* name, const Spread& s) {
+        std::printf("  %-20s %10.3f %9.3f .. %8.3f", name, s.median, s.p10, s.p90);
+    };
+    for (const BenchPass& pass : result.passes) {
+        line(pass.name.c_str(), pass.milliseconds);
+        std::printf(" %12llu %12llu %12llu\n", static_cast<unsigned long long>(pass.counts.evaluations),
+                    static_cast<unsigned long long>(pass.counts.samples + pass.counts.fetches),
+                    static_cast<unsigned long long>(pass.counts.bytes));
+    }
+    line("per frame", result.per_frame);
+    std::printf("   sky_view + aerial_perspective + light\n");
+    line("full rebuild", result.rebuild);
+    std::printf("   transmittance + multi_scatter + per frame\n");
+}
+
+void print_ratios(const std::vector<BenchResult>& results) {
+    const BenchResult& published = results.back();
+    std::printf("\ncost relative to published-2020:\n  %-16s %10s %12s %10s %20s\n", "", "per frame", "full rebuild", "composite",
+                "composite, geometry");
+    for (const BenchResult& r : results) {
+        const auto pass = [&](const char* name) {
+            return ratio(r.pass(name).milliseconds.median, published.pass(name).milliseconds.median);
+        };
+        std::printf("  %-16s %10.3f %12.3f %10.3f %20.3f\n", r.quality.c_str(), ratio(r.per_frame.median, published.per_frame.median),
+                    ratio(r.rebuild.median, published.rebuild.median), pass("composite"), pass("composite_geometry"));
+    }
+}
+
+nlohmann::json to_json(const Spread& s) { return {{"median_ms", s.median}, {"p10_ms", s.p10}, {"p90_ms", s.p90}}; }
+
+nlohmann::json to_json(const BenchResult& result, const BenchResult& published) {
+    nlohmann::json passes = nlohmann::json::array();
+    for (const BenchPass& pass : result.passes) {
+        nlohmann::json out = to_json(pass.milliseconds);
+        out["pass"] = pass.name;
+        out["invocations"] = pass.invocations;
+        out["medium_evaluations"] = pass.counts.evaluations;
+        out["filtered_look_ups"] = pass.counts.samples;
+        out["texel_fetches"] = pass.counts.fetches;
+        out["bytes_written"] = pass.counts.bytes;
+        passes.push_back(out);
+    }
+    return {{"quality", result.quality},
+            {"table_bytes", result.table_bytes},
+            {"passes", passes},
+            {"per_frame", to_json(result.per_frame)},
+            {"full_rebuild", to_json(result.rebuild)},
+            {"ratio_to_published_2020",
+             {{"per_frame", ratio(result.per_frame.median, published.per_frame.median)},
+              {"full_rebuild", ratio(result.rebuild.median, published.rebuild.median)}}}};
+}
+
+void run_bench(const BenchCommand& command) {
+    BenchOptions options = command.options;
+    const Size size = parse_size(command.size);
+    options.width = size.width;
+    options.height = size.height;
+    if (!command.json.empty()) { const NewFile writable(command.json); }
+    const std::unique_ptr<Backend> backend = open_backend(command.backend);
+    std::printf("%s, %ux%u, %u rounds\n", backend->describe().c_str(), options.width, options.height, options.frames);
+    std::fflush(stdout);
+
+    Progress progress(options.frames + 2, stderr, isatty(STDERR_FILENO) == 1);
+    const std::vector<BenchResult> results = bench(*backend, options, [&] { progress.step(); });
+    for (const BenchResult& result : results) print_result(result);
+    print_ratios(results);
+    if (command.json.empty()) return;
+
+    const rhi::Capabilities& c = backend->device().capabilities();
+    nlohmann::json out{{"backend", backend->name()}, {"device", c.device},      {"driver", c.driver},
+                       {"threads", c.threads},       {"width", options.width}, {"height", options.height},
+                       {"rounds", options.frames},   {"raster", options.raster}};
+    for (const BenchResult& result : results) out["qualities"].push_back(to_json(result, results.back()));
+    write_text(command.json, out.dump(2) + "\n");
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& program) {
+    auto options = std::make_shared<BenchCommand>();
+    CLI::App* command = program.add_subcommand(
+        "bench", "What each pass costs in ms, for every quality setting, measured in turn in one run; with counts of work, memory "
+                 "of the tables in MiB, and costs relative to published-2020");
+    add_backend_options(*command, options->backend);
+    command->add_option("--size", options->size, "WIDTHxHEIGHT of the composite, in pixels")->default_str("1280x720");
+    command->add_option("--frames", options->options.frames, "Rounds to measure, 1 to 100000; two more are thrown away")
+        ->check(CLI::Range(1u, 100000u))
+        ->default_str("20");
+    command->add_flag("--raster", options->options.raster, "Composite with a full-screen draw instead of a compute pass");
+    command->add_option("--json", options->json, "Also write everything as JSON");
+    command->callback([options] { run_bench(*options); });
+}
+
+}  // namespace aureole::app

@@ -1,0 +1,203 @@
+#include "app/frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aureole::app {
+namespace {
+
+constexpr std::uint32_t meter_width = 192;
+constexpr double middle_grey = 0.18;
+/// Luminance below which automatic exposure does not go on brightening: nights stay dark.
+constexpr double darkest = 1e-9;
+
+ViewSettings view_settings(const Scene& scene, bool land) {
+    ViewSettings settings;
+    settings.projection = scene.camera.projection;
+    settings.max_suns = static_cast<std::uint32_t>(std::max<std::size_t>(scene.suns.size(), 1));
+    settings.aerial_perspective = land;
+    settings.aerial_perspective_distance_m = scene.aerial_perspective_distance_m;
+    settings.light = false;
+    return settings;
+}
+
+}  // namespace
+
+/// A view with the textures that it composites from and into.
+struct FrameRenderer::Target {
+    Target(Backend& backend, Atmosphere& air, const ViewSettings& settings, const CompositeSettings& composite,
+           rhi::Extent extent)
+        : backend(backend),
+          textures(backend),
+          state(composite.raster ? rhi::State::color_attachment : rhi::State::storage_write),
+          view(air, settings, composite) {
+        const rhi::Usage written = composite.raster ? rhi::Usage::color_attachment : rhi::Usage::storage;
+        targets.extent = extent;
+        targets.target = textures.create("picture", composite.target_format, extent, written | rhi::Usage::copy_source);
+        textures.make_ready(targets.target, state);
+        if (composite.scene_depth) {
+            constexpr rhi::Usage given = rhi::Usage::sampled | rhi::Usage::copy_destination;
+            targets.scene_color = textures.create("land colour", rhi::Format::rgba32_float, extent, given);
+            targets.scene_depth = textures.create("land depth", rhi::Format::d32_float, extent, given);
+        }
+        view.prepare_composite(targets);
+    }
+
+    void give_land(const TerrainPicture& picture) {
+        const rhi::State color_before = filled ? rhi::State::sampled : rhi::State::undefined;
+        const rhi::State depth_before = filled ? rhi::State::depth_read : rhi::State::undefined;
+        textures.upload(targets.scene_color, std::as_bytes(std::span(picture.rgba)), color_before, rhi::State::sampled);
+        textures.upload(targets.scene_depth, std::as_bytes(std::span(picture.depth)), depth_before, rhi::State::depth_read);
+        filled = true;
+    }
+
+    void draw(std::vector<PassTime>* times) {
+        const TimestampSlots slots = if_supported(backend, view_slots);
+        backend.run([&](rhi::CommandList& commands) {
+            view.record(commands, slots);
+            view.record_composite(commands, targets, slots);
+        });
+        if (times) collect_times(backend, view.reports(), view_slots, *times);
+    }
+
+    [[nodiscard]] std::size_t pixels() const { return std::size_t{targets.extent.width} * targets.extent.height; }
+
+    Backend& backend;
+    DeviceTextures textures;
+    rhi::State state;
+    View view;
+    CompositeTargets targets;
+    bool filled = false;
+};
+
+FrameRenderer::FrameRenderer(Backend& backend, const Scene& scene, const Land* land, const FrameOptions& options)
+    : backend_(backend),
+      scene_(scene),
+      land_(land),
+      options_(options),
+      camera_altitude_m_(land ? land->camera_altitude_m() : scene.camera.altitude_m),
+      air_(backend.device(), scene.atmosphere, scene.quality) {
+    if (options.raster && !backend.device().capabilities().raster)
+        throw Error(ErrorCode::unsupported, "--raster: " + backend.describe() + " has no raster pipelines");
+    CompositeSettings composite;
+    composite.scene_color = composite.scene_depth = land != nullptr;
+    const ViewSettings settings = view_settings(scene, land != nullptr);
+
+    CompositeSettings shown = composite;
+    shown.raster = options.raster;
+    shown.sun_disk = scene.sun_disk;
+    shown.target_format = options.linear ? rhi::Format::rgba32_float : rhi::Format::rgba8_unorm;
+    if (!options.linear) {
+        shown.tone_map = ToneMap::aces_fitted;
+        shown.encode_srgb = shown.dither = true;
+    }
+    const rhi::Extent extent{options.width * options.samples, options.height * options.samples, 1};
+    target_ = std::make_unique<Target>(backend, air_, settings, shown, extent);
+
+    if (!options.linear && !scene.exposure.factor) {
+        CompositeSettings metered = composite;
+        metered.sun_disk = false;
+        metered.target_format = rhi::Format::rgba32_float;
+        const std::uint32_t height = std::max(meter_width * options.height / options.width, 1u);
+        meter_ = std::make_unique<Target>(backend, air_, settings, metered, rhi::Extent{meter_width, height, 1});
+    }
+}
+
+FrameRenderer::~FrameRenderer() = default;
+
+void FrameRenderer::record_air(std::vector<PassTime>& times) {
+    const TimestampSlots slots = if_supported(backend_, air_slots);
+    backend_.run([&](rhi::CommandList& commands) { air_.record(commands, slots); });
+    collect_times(backend_, air_.reports(), air_slots, times);
+}
+
+double FrameRenderer::measure_exposure(const std::vector<Sun>& suns, const std::optional<TerrainLight>& light) {
+    Target& meter = *meter_;
+    const Camera camera = camera_of(scene_, camera_altitude_m_, meter.targets.extent.width, meter.targets.extent.height);
+    if (light) meter.give_land(land_->cast(camera, *light, meter.targets.extent.width, meter.targets.extent.height));
+    meter.view.update(camera, suns);
+    meter.draw(nullptr);
+    return automatic_exposure(meter.textures.read_floats(meter.targets.target, 4 * meter.pixels(), meter.state));
+}
+
+Frame FrameRenderer::render(const std::vector<Sun>& suns, std::uint64_t number) {
+    Frame frame;
+    air_.set_frame(number);
+    record_air(frame.times);
+    std::optional<TerrainLight> light;
+    if (land_) light = land_->measure_light(backend_, air_, suns);
+    if (!options_.linear) {
+        frame.exposure = scene_.exposure.factor ? *scene_.exposure.factor : measure_exposure(suns, light);
+        frame.exposure *= std::exp2(scene_.exposure.stops);
+    }
+
+    Target& target = *target_;
+    const std::uint32_t width = target.targets.extent.width, height = target.targets.extent.height;
+    const Camera camera = camera_of(scene_, camera_altitude_m_, width, height);
+    if (light) target.give_land(land_->cast(camera, *light, width, height));
+    target.view.set_exposure(frame.exposure);
+    target.view.update(camera, suns);
+    target.draw(&frame.times);
+    backend_.check();
+
+    if (options_.linear)
+        frame.linear = downsample(std::span<const float>(target.textures.read_floats(target.targets.target, 4 * target.pixels(), target.state)),
+                                  width, height, options_.samples);
+    else
+        frame.display = downsample(
+            std::span<const std::uint8_t>(target.textures.read_bytes(target.targets.target, 4 * target.pixels(), target.state)),
+            width, height, options_.samples);
+    return frame;
+}
+
+double automatic_exposure(std::span<const float> rgba) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
+        const double luminance = 0.2126 * rgba[i] + 0.7152 * rgba[i + 1] + 0.0722 * rgba[i + 2];
+        if (!(luminance > 0)) continue;
+        sum += std::log(std::max(luminance, darkest));
+        ++count;
+    }
+    return count == 0 ? 1 : middle_grey / std::exp(sum / static_cast<double>(count));
+}
+
+DisplayImage downsample(std::span<const std::uint8_t> rgba, std::uint32_t width, std::uint32_t height, std::uint32_t samples) {
+    DisplayImage image{width / samples, height / samples, {}};
+    image.rgb.resize(std::size_t{3} * image.width * image.height);
+    const std::uint32_t count = samples * samples;
+    // Thresholds of a 4 x 4 Bayer matrix, in sixteenths.
+    static constexpr std::uint32_t bayer[16] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
+    for (std::uint32_t y = 0; y < image.height; ++y) {
+        for (std::uint32_t x = 0; x < image.width; ++x) {
+            const std::uint32_t threshold = count * (2 * bayer[4 * (y % 4) + x % 4] + 1) / 32;
+            for (std::uint32_t c = 0; c < 3; ++c) {
+                std::uint32_t sum = 0;
+                for (std::uint32_t j = 0; j < samples; ++j)
+                    for (std::uint32_t i = 0; i < samples; ++i)
+                        sum += rgba[4 * (std::size_t{y * samples + j} * width + x * samples + i) + c];
+                image.rgb[3 * (std::size_t{y} * image.width + x) + c] = static_cast<std::uint8_t>((sum + threshold) / count);
+            }
+        }
+    }
+    return image;
+}
+
+LinearImage downsample(std::span<const float> rgba, std::uint32_t width, std::uint32_t height, std::uint32_t samples) {
+    LinearImage image{width / samples, height / samples, {}};
+    image.rgb.resize(std::size_t{3} * image.width * image.height);
+    for (std::uint32_t y = 0; y < image.height; ++y) {
+        for (std::uint32_t x = 0; x < image.width; ++x) {
+            for (std::uint32_t c = 0; c < 3; ++c) {
+                float sum = 0;
+                for (std::uint32_t j = 0; j < samples; ++j)
+                    for (std::uint32_t i = 0; i < samples; ++i)
+                        sum += rgba[4 * (std::size_t{y * samples + j} * width + x * samples + i) + c];
+                image.rgb[3 * (std::size_t{y} * image.width + x) + c] = sum / static_cast<float>(samples * samples);
+            }
+        }
+    }
+    return image;
+}
+
+}  // namespace aureole::app

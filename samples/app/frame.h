@@ -1,0 +1,62 @@
+// From a scene to a picture, through the passes of the library.
+#pragma once
+
+#include "app/land.h"
+#include "app/pass_times.h"
+#include "io/image.h"
+
+#include <aureole/atmosphere.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace aureole::app {
+
+struct FrameOptions {
+    std::uint32_t width = 1280, height = 720;
+    bool linear = false;    ///< Scene-linear floats (for EXR), not what a display takes.
+    bool raster = false;    ///< Composite with a full-screen draw instead of compute.
+    std::uint32_t samples = 1;  ///< Pixels are averages of samples by samples, in [1, 4].
+};
+
+struct Frame {
+    DisplayImage display;  ///< Unless FrameOptions::linear.
+    LinearImage linear;    ///< Radiance, not exposed.
+    double exposure = 1;
+    std::vector<PassTime> times;
+};
+
+class FrameRenderer {
+public:
+    /// `backend` and `land` (null: none) must outlive the renderer.
+    FrameRenderer(Backend& backend, const Scene& scene, const Land* land, const FrameOptions& options);
+    ~FrameRenderer();
+
+    /// The scene under these suns. `number` counts frames; the dither pattern moves with it.
+    [[nodiscard]] Frame render(const std::vector<Sun>& suns, std::uint64_t number = 0);
+
+private:
+    struct Target;
+    void record_air(std::vector<PassTime>& times);
+    [[nodiscard]] double measure_exposure(const std::vector<Sun>& suns, const std::optional<TerrainLight>& light);
+
+    Backend& backend_;
+    const Scene& scene_;
+    const Land* land_;
+    FrameOptions options_;
+    double camera_altitude_m_;
+    Atmosphere air_;
+    std::unique_ptr<Target> target_, meter_;
+};
+
+/// Exposure that brings the picture's log-average luminance to a middle grey; black pixels are left out.
+[[nodiscard]] double automatic_exposure(std::span<const float> rgba);
+/// Averages blocks of samples by samples. Sums of 8-bit values are rounded by an ordered pattern, so that averaging does not
+/// undo the dither.
+[[nodiscard]] DisplayImage downsample(std::span<const std::uint8_t> rgba, std::uint32_t width, std::uint32_t height,
+                                      std::uint32_t samples);
+[[nodiscard]] LinearImage downsample(std::span<const float> rgba, std::uint32_t width, std::uint32_t height,
+                                     std::uint32_t samples);
+
+}  // namespace aureole::app

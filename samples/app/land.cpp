@@ -1,0 +1,67 @@
+#include "app/land.h"
+
+#include "app/pass_times.h"
+#include "io/csv.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace aureole::app {
+namespace {
+
+std::vector<LightRow> read_light(Backend& backend, const View& view, std::size_t suns, std::size_t max_suns) {
+    DeviceTextures textures(backend);
+    const std::vector<float> texels = textures.read_floats(view.light_table(), 10 * 4 * max_suns, rhi::State::sampled);
+    std::vector<LightRow> rows(suns);
+    for (std::size_t s = 0; s < suns; ++s) {
+        const auto texel = [&](std::size_t i) {
+            const float* t = texels.data() + 4 * (10 * s + i);
+            return Rgb(t[0], t[1], t[2]);
+        };
+        for (std::size_t i = 0; i < 9; ++i) rows[s].sky[i] = texel(i);
+        rows[s].sun = texel(9);
+    }
+    return rows;
+}
+
+}  // namespace
+
+Land::Land(const Scene& scene, const std::filesystem::path& height_map)
+    : bottom_radius_m_(scene.atmosphere.planet.bottom_radius_m) {
+    const SceneTerrain& terrain = *scene.terrain;
+    look_ = {terrain.albedo, terrain.range_m};
+    field_ = std::make_unique<HeightField>(read_height_map(height_map, terrain.options), terrain.vertical_exaggeration);
+    const glm::dvec2 anchor(terrain.camera_east_m, terrain.camera_north_m);
+    caster_ = std::make_unique<RayCaster>(*field_, bottom_radius_m_, anchor);
+    const double ground = field_->height(anchor);
+    camera_altitude_m_ = scene.camera.clearance_m ? ground + *scene.camera.clearance_m : scene.camera.altitude_m;
+    if (camera_altitude_m_ < ground)
+        throw Error(ErrorCode::invalid_argument, "camera.altitude_m", print_number(camera_altitude_m_),
+                    "at least " + print_number(ground) + ", the height of the land there");
+}
+
+TerrainLight Land::measure_light(Backend& backend, Atmosphere& air, const std::vector<Sun>& suns) const {
+    ViewSettings settings;
+    settings.max_suns = static_cast<std::uint32_t>(std::max<std::size_t>(suns.size(), 1));
+    settings.aerial_perspective = false;
+    TerrainLight light;
+    light.low_m = field_->lowest();
+    light.high_m = std::max(field_->highest(), light.low_m + 1);
+    for (const Sun& sun : suns) light.sun_directions.push_back(glm::normalize(sun.direction));
+    View view(air, settings);
+    for (auto [height, rows] : {std::pair(light.low_m, &light.low), std::pair(light.high_m, &light.high)}) {
+        view.update(look(bottom_radius_m_, height, 0, 0, 1, 1), suns);
+        backend.run([&](rhi::CommandList& commands) {
+            air.record(commands);
+            view.record(commands);
+        });
+        *rows = read_light(backend, view, suns.size(), settings.max_suns);
+    }
+    return light;
+}
+
+TerrainPicture Land::cast(const Camera& camera, const TerrainLight& light, std::uint32_t width, std::uint32_t height) const {
+    return cast_terrain(*field_, *caster_, camera, light, look_, width, height);
+}
+
+}  // namespace aureole::app

@@ -1,0 +1,35 @@
+// The terrain of a scene on its way from the height map to the composite.
+#pragma once
+
+#include "app/backend.h"
+#include "scene/scene.h"
+#include "terrain/terrain.h"
+
+#include <aureole/atmosphere.h>
+
+#include <memory>
+
+namespace aureole::app {
+
+/// The loaded terrain of a scene.
+class Land {
+public:
+    /// Reads the height map. Throws Error: io, invalid_argument (also if the camera stands inside the land).
+    Land(const Scene& scene, const std::filesystem::path& height_map);
+
+    [[nodiscard]] double camera_altitude_m() const noexcept { return camera_altitude_m_; }
+
+    /// Light of the suns at the lowest and the highest point, from the tables of `air` (left recorded).
+    [[nodiscard]] TerrainLight measure_light(Backend& backend, Atmosphere& air, const std::vector<Sun>& suns) const;
+    [[nodiscard]] TerrainPicture cast(const Camera& camera, const TerrainLight& light, std::uint32_t width,
+                                      std::uint32_t height) const;
+
+private:
+    double bottom_radius_m_;
+    TerrainLook look_;
+    std::unique_ptr<HeightField> field_;
+    std::unique_ptr<RayCaster> caster_;
+    double camera_altitude_m_ = 0;
+};
+
+}  // namespace aureole::app

@@ -1,0 +1,38 @@
+#include "app/commands.h"
+
+#include <charconv>
+
+namespace aureole::app {
+
+void add_backend_options(CLI::App& command, BackendOptions& options) {
+    command
+        .add_option("--backend", options.name,
+                    "Where to run: vulkan; cpu (float, as a GPU); cpu-double (the reference); auto: vulkan where there is a "
+                    "device, else cpu")
+        ->check(CLI::IsMember({"auto", "vulkan", "cpu", "cpu-double"}))
+        ->default_str("auto");
+    command.add_option("--device", options.device, "Vulkan: part of the device's name, as `aureole devices` shows it");
+    command.add_flag("--validation", options.validation,
+                     "Vulkan: run under the validation layer; what it reports makes the command fail");
+    command.add_option("--threads", options.threads, "CPU backends: number of threads, 0 for one a processor core")
+        ->check(CLI::Range(0u, 1024u))
+        ->default_str("0");
+}
+
+void add_quality_option(CLI::App& command, std::string& quality, const std::string& help) {
+    command.add_option("--quality", quality, help)->check(CLI::IsMember({"low", "default", "high", "published-2020"}));
+}
+
+Size parse_size(const std::string& text) {
+    Size size{};
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.width);
+    const bool cross = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+    const auto height = cross ? std::from_chars(width.ptr + 1, end, size.height) : std::from_chars_result{text.data(), std::errc::invalid_argument};
+    const auto inside = [](std::uint32_t n) { return n >= 1 && n <= 16384; };
+    if (height.ec != std::errc() || height.ptr != end || !inside(size.width) || !inside(size.height))
+        throw Error(ErrorCode::invalid_argument, "--size", "\"" + text + "\"", "WIDTHxHEIGHT in pixels, each in [1, 16384]");
+    return size;
+}
+
+}  // namespace aureole::app

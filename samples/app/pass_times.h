@@ -1,0 +1,30 @@
+// What each pass took, from the device's own clock.
+#pragma once
+
+#include "app/backend.h"
+
+#include <aureole/atmosphere.h>
+
+#include <string>
+#include <vector>
+
+namespace aureole::app {
+
+struct PassTime {
+    std::string name;
+    double milliseconds = 0;
+};
+
+/// Time stamps of one atmosphere and one view: 2 passes and 4 passes.
+inline constexpr TimestampSlots air_slots{true, 0};
+inline constexpr TimestampSlots view_slots{true, 4};
+inline constexpr std::size_t slot_count = 12;
+
+/// Slots if the device has a clock, none otherwise.
+[[nodiscard]] TimestampSlots if_supported(Backend& backend, TimestampSlots slots);
+/// Appends the times of those passes that the latest run has recorded; nothing if the device has no clock.
+void collect_times(Backend& backend, std::span<const PassReport> reports, TimestampSlots slots, std::vector<PassTime>& times);
+/// "transmittance 0.21 ms, multi_scatter 3.02 ms, ..."
+[[nodiscard]] std::string print_times(const std::vector<PassTime>& times);
+
+}  // namespace aureole::app

@@ -1,0 +1,27 @@
+// Radiance of single directions, through the very passes that make a picture.
+#pragma once
+
+#include "app/backend.h"
+
+#include <aureole/parameters.h>
+#include <aureole/quality.h>
+
+#include <span>
+#include <vector>
+
+namespace aureole::app {
+
+/// Where the sun stands and where one looks. Azimuth is measured from the sun's.
+struct ProbeRow {
+    double sun_zenith_deg = 0;   ///< In [0, 180].
+    double altitude_km = 0;      ///< Above the ground; in [-10, 1e9]. Below 0: as from the ground.
+    double view_zenith_deg = 0;  ///< 0 is up; in [0, 180].
+    double azimuth_deg = 0;      ///< In [-360, 360].
+};
+
+/// Radiance of each row per unit of solar irradiance, in 1/sr, without the sun's disk; light reflected by the ground is part of
+/// it. Rows of the same sun and altitude share one update of the view. Throws Error(invalid_argument) naming the row (from 1).
+[[nodiscard]] std::vector<Rgb> probe(Backend& backend, const AtmosphereParameters& parameters, const QualitySettings& quality,
+                                     std::span<const ProbeRow> rows);
+
+}  // namespace aureole::app

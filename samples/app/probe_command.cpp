@@ -1,0 +1,75 @@
+#include "app/commands.h"
+#include "app/probe.h"
+#include "io/csv.h"
+#include "io/file.h"
+#include "scene/scene.h"
+
+#include <array>
+#include <cstdio>
+#include <memory>
+
+namespace aureole::app {
+namespace {
+
+constexpr std::array<std::string_view, 4> input_columns{"sun_zenith_deg", "altitude_km", "view_zenith_deg", "azimuth_deg"};
+
+struct ProbeOptions {
+    std::filesystem::path scene, directions, output;
+    std::string quality;
+    BackendOptions backend;
+};
+
+std::vector<ProbeRow> read_rows(const std::filesystem::path& path) {
+    const CsvTable table = read_csv(path, input_columns);
+    std::vector<ProbeRow> rows;
+    for (std::size_t i = 0; i < table.rows(); ++i)
+        rows.push_back({table.columns[0][i], table.columns[1][i], table.columns[2][i], table.columns[3][i]});
+    return rows;
+}
+
+std::string print_rows(const std::string& comment, std::span<const ProbeRow> rows, std::span<const Rgb> radiance) {
+    std::string text = "# " + comment + "\nsun_zenith_deg,altitude_km,view_zenith_deg,azimuth_deg,r,g,b\n";
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const ProbeRow& row = rows[i];
+        for (const double value : {row.sun_zenith_deg, row.altitude_km, row.view_zenith_deg, row.azimuth_deg})
+            text.append(print_number(value)).append(",");
+        for (int c = 0; c < 3; ++c)
+            text.append(print_number(static_cast<float>(radiance[i][c]))).append(c < 2 ? "," : "\n");
+    }
+    return text;
+}
+
+void run_probe(const ProbeOptions& options) {
+    const Scene scene = read_scene(options.scene);
+    const QualitySettings quality = options.quality.empty() ? scene.quality : QualitySettings::by_name(options.quality);
+    const std::vector<ProbeRow> rows = read_rows(options.directions);
+    { const NewFile writable(options.output); }
+    const std::unique_ptr<Backend> backend = open_backend(options.backend);
+    const std::vector<Rgb> radiance = probe(*backend, scene.atmosphere, quality, rows);
+    const std::string what = options.scene.filename().string() + ", " + backend->describe() + ", quality " + quality.name;
+    write_text(options.output, print_rows("radiance per unit of solar irradiance in 1/sr, without the sun's disk; " + what, rows, radiance));
+    std::printf("%s  %zu directions\n  %s\n", options.output.c_str(), rows.size(), what.c_str());
+}
+
+}  // namespace
+
+void add_probe_command(CLI::App& program) {
+    auto options = std::make_shared<ProbeOptions>();
+    CLI::App* command = program.add_subcommand("probe", "Radiance of single directions, through the same passes as a picture");
+    command->add_option("--scene", options->scene, "Scene file; its atmosphere and quality are used")->required();
+    command
+        ->add_option("--directions", options->directions,
+                     "CSV with a header line and the columns sun_zenith_deg (0 to 180), altitude_km (-10 to 1e9), view_zenith_deg "
+                     "(0 is up, to 180), azimuth_deg (from the sun's, -360 to 360); # starts a comment line, other columns are "
+                     "ignored")
+        ->required();
+    command
+        ->add_option("-o,--output", options->output,
+                     "CSV to write: the four columns and r, g, b, the radiance per unit of solar irradiance in 1/sr")
+        ->required();
+    add_backend_options(*command, options->backend);
+    add_quality_option(*command, options->quality, "Quality of the tables, instead of the scene's");
+    command->callback([options] { run_probe(*options); });
+}
+
+}  // namespace aureole::app

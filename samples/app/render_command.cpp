@@ -1,0 +1,140 @@
+#include "app/commands.h"
+#include "app/frame.h"
+#include "app/progress.h"
+#include "app/sequence.h"
+#include "io/csv.h"
+#include "io/file.h"
+
+#include <cstdio>
+#include <memory>
+#include <unistd.h>
+
+namespace aureole::app {
+namespace {
+
+struct RenderOptions {
+    std::filesystem::path scene, output, height_map;
+    BackendOptions backend;
+    std::string quality, size, projection, sun_elevation;
+    std::uint32_t frames = 1, samples = 0;
+    bool raster = false;
+};
+
+Scene load_scene(const RenderOptions& options) {
+    Scene scene = read_scene(options.scene);
+    if (!options.quality.empty()) scene.quality = QualitySettings::by_name(options.quality);
+    if (options.projection == "perspective") scene.camera.projection = Projection::matrix;
+    if (options.projection == "fisheye") scene.camera.projection = Projection::fisheye;
+    if (options.projection == "panorama") scene.camera.projection = Projection::panorama;
+    if (scene.terrain && scene.camera.projection != Projection::matrix)
+        throw Error(ErrorCode::invalid_argument, "--projection", options.projection, "perspective, for a scene with terrain");
+    if (!options.height_map.empty() && !scene.terrain)
+        throw Error(ErrorCode::invalid_argument, "--heightmap", options.height_map.string(), "a scene with a [terrain] section");
+    if (!options.size.empty()) {
+        const Size size = parse_size(options.size);
+        scene.width = size.width;
+        scene.height = size.height;
+    }
+    return scene;
+}
+
+bool is_linear(const std::filesystem::path& output) {
+    const std::string extension = output.extension().string();
+    if (extension != ".png" && extension != ".exr")
+        throw Error(ErrorCode::invalid_argument, "--output", output.string(), "a name that ends in .png or .exr");
+    return extension == ".exr";
+}
+
+void write_frame(const std::filesystem::path& path, const Frame& frame) {
+    if (frame.linear.width > 0) write_exr(path, frame.linear);
+    else write_png(path, frame.display);
+}
+
+void report(const std::filesystem::path& path, const Scene& scene, const Frame& frame) {
+    std::printf("%s  %ux%u", path.c_str(), scene.width, scene.height);
+    if (frame.linear.width == 0) std::printf(", exposure %.4g", frame.exposure);
+    std::printf("\n  passes: %s\n", print_times(frame.times).c_str());
+}
+
+void render_sequence(const RenderOptions& options, Scene& scene, FrameRenderer& renderer) {
+    const SunPath path = parse_sun_path(options.sun_elevation, options.frames);
+    if (scene.suns.empty())
+        throw Error(ErrorCode::invalid_argument, "--sun-elevation", options.sun_elevation, "a scene with a [[sun]]");
+    Progress progress(options.frames, stderr, isatty(STDERR_FILENO) == 1);
+    std::vector<PassTime> times;
+    for (std::uint32_t i = 0; i < options.frames; ++i) {
+        scene.suns.front().pose.elevation_deg = path.elevation_deg(i);
+        const Frame frame = renderer.render(suns_of(scene), i);
+        write_frame(numbered(options.output, i + 1), frame);
+        times = frame.times;
+        progress.step();
+    }
+    std::printf("%s .. %s  %u pictures of %ux%u\n  passes of the last: %s\n", numbered(options.output, 1).c_str(),
+                numbered(options.output, options.frames).c_str(), options.frames, scene.width, scene.height,
+                print_times(times).c_str());
+}
+
+void render(const RenderOptions& options) {
+    Scene scene = load_scene(options);
+    FrameOptions frame_options;
+    frame_options.width = scene.width;
+    frame_options.height = scene.height;
+    frame_options.linear = is_linear(options.output);
+    frame_options.raster = options.raster;
+    frame_options.samples = options.samples > 0 ? options.samples : scene.terrain ? 2 : 1;
+    const bool sequence = !options.sun_elevation.empty();
+    // Said before the work, not after it.
+    { const NewFile writable(sequence ? numbered(options.output, 1) : options.output); }
+
+    std::unique_ptr<Land> land;
+    if (scene.terrain)
+        land = std::make_unique<Land>(scene, options.height_map.empty() ? scene.terrain->height_map : options.height_map);
+    const std::unique_ptr<Backend> backend = open_backend(options.backend);
+    std::printf("%s: %s, quality %s\n", options.scene.c_str(), backend->describe().c_str(), scene.quality.name.c_str());
+    std::fflush(stdout);
+    FrameRenderer renderer(*backend, scene, land.get(), frame_options);
+    if (sequence) {
+        render_sequence(options, scene, renderer);
+        return;
+    }
+    const Frame frame = renderer.render(suns_of(scene));
+    write_frame(options.output, frame);
+    report(options.output, scene, frame);
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& program) {
+    auto options = std::make_shared<RenderOptions>();
+    CLI::App* command = program.add_subcommand("render", "Render a scene file into a picture, or into a sequence of them");
+    command->add_option("SCENE", options->scene, "Scene file (TOML; docs/scenes.md)")->required();
+    command
+        ->add_option("-o,--output", options->output,
+                     "Picture to write. .png: exposed, tone-mapped (ACES, fitted), sRGB, dithered to 8 bits; .exr: scene-linear "
+                     "Rec.709 radiance in 32-bit floats, in the unit of the sun's irradiance per steradian")
+        ->required();
+    add_backend_options(*command, options->backend);
+    add_quality_option(*command, options->quality, "Quality of the tables, instead of the scene's");
+    command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels, instead of the scene's");
+    command->add_option("--projection", options->projection, "Instead of the scene's")
+        ->check(CLI::IsMember({"perspective", "fisheye", "panorama"}));
+    command->add_flag("--raster", options->raster, "Composite with a full-screen draw instead of a compute pass");
+    command->add_option("--samples", options->samples,
+                        "Average N by N samples a pixel, 1 to 4 (default: 2 with terrain, else 1)")
+        ->check(CLI::Range(1u, 4u));
+    command->add_option("--heightmap", options->height_map,
+                        "Height map of a scene with terrain, instead of the scene's: jacksboro, or an .npz, .png or .exr file");
+    CLI::Option* elevations = command->add_option(
+        "--sun-elevation", options->sun_elevation,
+        "FROM:TO in degrees above the horizon, each in [-90, 90]: a sequence in which the first sun moves evenly between them");
+    CLI::Option* frames =
+        command->add_option("--frames", options->frames,
+                            "Pictures in the sequence, 2 to 9999, written with their number: a %04d in the output's name, or -0001 "
+                            "before its extension")
+            ->check(CLI::Range(2u, 9999u));
+    elevations->needs(frames);
+    frames->needs(elevations);
+    command->callback([options] { render(*options); });
+}
+
+}  // namespace aureole::app

@@ -1,0 +1,89 @@
+#include "io/file.h"
+#include "io/image.h"
+
+#include <aureole/rhi/error.h>
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <exception>
+
+namespace aureole::app {
+namespace {
+
+constexpr std::uint64_t most_pixels = 1ull << 28;
+
+std::string height_channel(const Imf::ChannelList& channels, const std::string& file) {
+    std::string only, all;
+    int count = 0;
+    for (auto c = channels.begin(); c != channels.end(); ++c, ++count) {
+        only = c.name();
+        all.append(all.empty() ? "" : ", ").append(c.name());
+    }
+    for (const char* name : {"Y", "R"})
+        if (channels.findChannel(name)) return name;
+    if (count == 1) return only;
+    throw Error(ErrorCode::invalid_argument, file + ": channels of the EXR", all.empty() ? "none" : all,
+                "Y, R, or a single channel");
+}
+
+}  // namespace
+
+GreyImage read_exr_grey(const std::filesystem::path& path) {
+    (void)read_file(path);  // says in our words what is wrong with the name
+    try {
+        Imf::InputFile file(path.c_str());
+        const Imath::Box2i window = file.header().dataWindow();
+        const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
+        const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
+        if (width < 1 || height < 1 || static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > most_pixels)
+            throw Error(ErrorCode::invalid_argument, path.string() + ": size of the EXR",
+                        std::to_string(width) + "x" + std::to_string(height), "at most 268435456 pixels");
+        const std::string channel = height_channel(file.header().channels(), path.string());
+        if (const Imf::Channel& c = file.header().channels()[channel.c_str()]; c.xSampling != 1 || c.ySampling != 1)
+            throw Error(ErrorCode::invalid_argument, path.string() + ": sampling of channel " + channel, "subsampled",
+                        "a value a pixel");
+
+        GreyImage image{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), {}};
+        image.values.resize(static_cast<std::size_t>(width * height));
+        Imf::FrameBuffer buffer;
+        buffer.insert(channel, Imf::Slice::Make(Imf::FLOAT, image.values.data(), window, sizeof(float),
+                                                sizeof(float) * static_cast<std::size_t>(width)));
+        file.setFrameBuffer(buffer);
+        file.readPixels(window.min.y, window.max.y);
+        return image;
+    } catch (const Error&) {
+        throw;
+    } catch (const std::exception& problem) {
+        throw Error(ErrorCode::io, path.string() + ": not a readable EXR: " + problem.what());
+    }
+}
+
+void write_exr(const std::filesystem::path& path, const LinearImage& image) {
+    NewFile out(path);
+    try {
+        Imf::Header header(static_cast<int>(image.width), static_cast<int>(image.height));
+        header.compression() = Imf::ZIP_COMPRESSION;
+        Imf::FrameBuffer buffer;
+        const char* names[] = {"R", "G", "B"};
+        const std::size_t pixel = 3 * sizeof(float);
+        for (std::size_t c = 0; c < 3; ++c) {
+            header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
+            // OpenEXR takes the same non-const pointer for reading and writing.
+            char* first = reinterpret_cast<char*>(const_cast<float*>(image.rgb.data() + c));
+            buffer.insert(names[c], Imf::Slice(Imf::FLOAT, first, pixel, pixel * image.width));
+        }
+        {
+            Imf::OutputFile file(out.temporary().c_str(), header);
+            file.setFrameBuffer(buffer);
+            file.writePixels(static_cast<int>(image.height));
+        }  // its destructor writes the table of lines
+    } catch (const std::exception& problem) {
+        throw Error(ErrorCode::io, path.string() + ": cannot be written: " + problem.what());
+    }
+    out.commit();
+}
+
+}  // namespace aureole::app

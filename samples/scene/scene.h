@@ -1,0 +1,80 @@
+// What a picture is made of, as scene files state it (docs/scenes.md).
+#pragma once
+
+#include <aureole/camera.h>
+#include <aureole/parameters.h>
+#include <aureole/quality.h>
+
+#include "io/height_map.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace aureole::app {
+
+/// World axes of every scene: the camera stands on the +z axis; +x is north, +y is west.
+struct ScenePose {
+    double bearing_deg = 0;    ///< Clockwise from north, seen from above.
+    double elevation_deg = 0;  ///< Above the horizontal, in [-90, 90].
+};
+/// Unit vector of a pose.
+[[nodiscard]] glm::dvec3 direction_of(const ScenePose& pose);
+
+struct SceneSun {
+    ScenePose pose;
+    Rgb irradiance{1, 1, 1};
+    double angular_radius_deg = 0.2678;
+    LimbDarkening limb_darkening = LimbDarkening::neckel94;
+};
+
+struct SceneCamera {
+    double altitude_m = 2;               ///< Above the planet's ground radius.
+    std::optional<double> clearance_m;   ///< Instead: above the terrain.
+    ScenePose pose;
+    double vertical_fov_deg = 60;
+    Projection projection = Projection::matrix;
+};
+
+struct SceneTerrain {
+    std::filesystem::path height_map;  ///< Or "jacksboro".
+    HeightMapOptions options;
+    double vertical_exaggeration = 1;
+    double camera_east_m = 0, camera_north_m = 0;  ///< Of the camera, from the middle of the map.
+    double range_m = 250e3;                        ///< How far from the camera terrain is looked for.
+    std::optional<Rgb> albedo;                     ///< None: fields, forest and rock by slope and altitude.
+};
+
+struct SceneExposure {
+    std::optional<double> factor;  ///< Multiplies radiance. None: automatic.
+    double stops = 0;              ///< Added to either, in powers of two.
+};
+
+struct Scene {
+    std::string title;
+    AtmosphereParameters atmosphere;
+    std::vector<SceneSun> suns;
+    SceneCamera camera;
+    SceneExposure exposure;
+    bool sun_disk = true;
+    QualitySettings quality = QualitySettings::standard();
+    double aerial_perspective_distance_m = 96000;
+    std::uint32_t width = 1280, height = 720;
+    std::optional<SceneTerrain> terrain;
+};
+
+/// Reads a scene file. A height map is named relative to the file's folder; it is not opened here. Throws Error: io,
+/// invalid_argument with file, line, key, value and allowed range; also for keys that do not exist.
+[[nodiscard]] Scene read_scene(const std::filesystem::path& path);
+/// The same for a text; `name` stands for the file in messages.
+[[nodiscard]] Scene parse_scene(std::string_view text, const std::string& name);
+
+/// The suns as the library takes them.
+[[nodiscard]] std::vector<Sun> suns_of(const Scene& scene);
+/// The camera as the library takes it, `altitude_m` above the ground radius, for a picture of the given shape.
+[[nodiscard]] Camera camera_of(const Scene& scene, double altitude_m, std::uint32_t width, std::uint32_t height);
+
+}  // namespace aureole::app

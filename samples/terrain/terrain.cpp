@@ -1,0 +1,162 @@
+#include "terrain/terrain.h"
+
+#include "terrain/noise.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <numbers>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+namespace aureole::app {
+namespace {
+
+double smooth(double low, double high, double x) {
+    const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+/// Ray through the middle of a pixel, and the view depth of a point at distance 1 along it.
+struct PixelRays {
+    glm::dmat3 to_world;
+    double half_width, half_height;  // of the picture at view depth 1
+    std::uint32_t width, height;
+
+    PixelRays(const Camera& camera, std::uint32_t w, std::uint32_t h)
+        : to_world(glm::transpose(glm::dmat3(camera.view))), half_width(1 / camera.projection[0][0]),
+          half_height(1 / camera.projection[1][1]), width(w), height(h) {}
+
+    [[nodiscard]] glm::dvec3 in_view(std::uint32_t x, std::uint32_t y) const {
+        return glm::normalize(glm::dvec3((2 * (x + 0.5) / width - 1) * half_width, (1 - 2 * (y + 0.5) / height) * half_height, -1));
+    }
+};
+
+/// What a projection matrix writes into the depth buffer for a view depth.
+double depth_value(const glm::dmat4& projection, double view_depth) {
+    return (-projection[2][2] * view_depth + projection[3][2]) / (-projection[2][3] * view_depth + projection[3][3]);
+}
+
+/// The grid's slopes know nothing below its spacing: roughness for the light alone, fading with distance.
+glm::dvec3 roughen(glm::dvec3 normal, glm::dvec2 place, double footprint_m) {
+    constexpr double coarsest_m = 60, strength = 9;  // metres of height
+    constexpr double delta = 2;
+    const auto bump = [&](glm::dvec2 p) { return strength * fractal_noise(p, coarsest_m, footprint_m, 4); };
+    const double here = bump(place);
+    const glm::dvec2 slope((bump(place + glm::dvec2(delta, 0)) - here) / delta, (bump(place + glm::dvec2(0, delta)) - here) / delta);
+    return glm::normalize(glm::dvec3(normal.x - slope.x * normal.z, normal.y - slope.y * normal.z, normal.z));
+}
+
+struct Shading {
+    const HeightField& field;
+    const RayCaster& caster;
+    const TerrainLight& light;
+    const TerrainLook& look;
+
+    [[nodiscard]] bool in_shadow(const glm::dvec3& point, const glm::dvec3& sun) const {
+        const double start = field.cell_size(0).x;
+        const glm::dvec3 lifted = point + glm::normalize(point) * 2.0;
+        return caster.cast(lifted, sun, start, look.range_m).has_value();
+    }
+
+    [[nodiscard]] Rgb radiance(glm::dvec2 place, double footprint_m) const {
+        const double height = field.height(place);
+        const glm::dvec3 point = caster.point_at(place, height);
+        const glm::dvec3 smooth_normal = field.normal(place);
+        const glm::dvec3 normal = caster.to_world(point, roughen(smooth_normal, place, footprint_m));
+        const double between = std::clamp((height - light.low_m) / (light.high_m - light.low_m), 0.0, 1.0);
+        const double open = field.open_sky(place);
+
+        Rgb irradiance(0);
+        for (std::size_t s = 0; s < light.low.size(); ++s) {
+            const LightRow &low = light.low[s], &high = light.high[s];
+            irradiance += open * glm::mix(sky_irradiance(low.sky, normal), sky_irradiance(high.sky, normal), between);
+            const double cosine = glm::dot(normal, light.sun_directions[s]);
+            const Rgb sun = glm::mix(low.sun, high.sun, between);
+            if (cosine > 0 && sun.r + sun.g + sun.b > 0 && !in_shadow(point, light.sun_directions[s])) irradiance += sun * cosine;
+        }
+        const Rgb albedo = look.albedo.value_or(natural_albedo(place, height, smooth_normal, footprint_m));
+        return albedo * std::numbers::inv_pi * irradiance;
+    }
+};
+
+}  // namespace
+
+Rgb sky_irradiance(const std::array<Rgb, 9>& sky, const glm::dvec3& n) {
+    // Basis in the order of View::light_table, each times the cosine lobe's factor of its degree: pi, 2 pi / 3, pi / 4.
+    constexpr double pi = std::numbers::pi;
+    const double y0 = 0.5 * std::sqrt(1 / pi) * pi, y1 = std::sqrt(3 / (4 * pi)) * 2 * pi / 3;
+    const double y2 = std::sqrt(15 / (4 * pi)) * pi / 4;
+    const double basis[9] = {y0,
+                             y1 * n.y,
+                             y1 * n.z,
+                             y1 * n.x,
+                             y2 * n.x * n.y,
+                             y2 * n.y * n.z,
+                             y2 * (3 * n.z * n.z - 1) / (2 * std::sqrt(3.0)),
+                             y2 * n.x * n.z,
+                             y2 * (n.x * n.x - n.y * n.y) / 2};
+    Rgb sum(0);
+    for (std::size_t i = 0; i < 9; ++i) sum += basis[i] * sky[i];
+    return glm::max(sum, Rgb(0));
+}
+
+Rgb natural_albedo(glm::dvec2 place, double height_m, const glm::dvec3& normal, double footprint_m) {
+    const Rgb meadow(0.105, 0.125, 0.045), stubble(0.20, 0.165, 0.085), forest(0.032, 0.047, 0.017), rock(0.21, 0.19, 0.165);
+    const double steepness = 1 - normal.z;  // 0 flat, 0.29 at 45 degrees
+    const double patches = fractal_noise(place, 420, footprint_m, 5);
+    const double stands = fractal_noise(place + glm::dvec2(5000, 0), 1600, footprint_m, 6);
+
+    const Rgb fields = glm::mix(meadow, stubble, smooth(0.42, 0.62, patches));
+    // Woods on slopes and heights, fields in the flat.
+    const double wooded = smooth(0.006, 0.03, steepness + 0.04 * (stands - 0.5)) * 0.85 + 0.15 * smooth(400, 700, height_m);
+    const Rgb ground = glm::mix(fields, forest * (0.75 + 0.5 * patches), std::clamp(wooded + 0.5 * (stands - 0.5), 0.0, 1.0));
+    return glm::mix(ground, rock * (0.7 + 0.6 * patches), smooth(0.16, 0.30, steepness + 0.08 * (patches - 0.5)));
+}
+
+TerrainPicture cast_terrain(const HeightField& field, const RayCaster& caster, const Camera& camera, const TerrainLight& light,
+                            const TerrainLook& look, std::uint32_t width, std::uint32_t height) {
+    const PixelRays rays(camera, width, height);
+    const Shading shading{field, caster, light, look};
+    const double pixel_angle = 2 * rays.half_height / height;
+
+    TerrainPicture picture{width, height, {}, {}};
+    picture.rgba.resize(std::size_t{4} * width * height);
+    picture.depth.resize(std::size_t{width} * height);
+    struct Row {
+        std::size_t land = 0;
+        double nearest = 1e30, farthest = 0;
+    };
+    std::vector<Row> rows(height);
+    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::uint32_t>(0, height), [&](const auto& range) {
+        for (std::uint32_t y = range.begin(); y != range.end(); ++y) {
+            for (std::uint32_t x = 0; x < width; ++x) {
+                const glm::dvec3 in_view = rays.in_view(x, y);
+                const auto hit = caster.cast(camera.position_m, rays.to_world * in_view, 0, look.range_m);
+                if (!hit) continue;
+                const std::size_t i = std::size_t{y} * width + x;
+                const Rgb color = shading.radiance(hit->place, hit->distance_m * pixel_angle);
+                for (std::size_t c = 0; c < 3; ++c) picture.rgba[4 * i + c] = static_cast<float>(color[static_cast<int>(c)]);
+                picture.rgba[4 * i + 3] = 1;
+                picture.depth[i] = static_cast<float>(depth_value(camera.projection, -in_view.z * hit->distance_m));
+                ++rows[y].land;
+                rows[y].nearest = std::min(rows[y].nearest, hit->distance_m);
+                rows[y].farthest = std::max(rows[y].farthest, hit->distance_m);
+            }
+        }
+    });
+    std::size_t land = 0;
+    picture.nearest_m = 1e30;
+    for (const Row& row : rows) {
+        land += row.land;
+        picture.nearest_m = std::min(picture.nearest_m, row.nearest);
+        picture.farthest_m = std::max(picture.farthest_m, row.farthest);
+    }
+    picture.covered = static_cast<double>(land) / static_cast<double>(picture.depth.size());
+    return picture;
+}
+
+}  // namespace aureole::app

@@ -109,7 +109,9 @@ Instance::Instance(const GlobalFunctions& global, bool validation, const Message
     info.ppEnabledLayerNames = layers.data();
     info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
     info.ppEnabledExtensionNames = extensions.data();
-    check_result(global.vkCreateInstance(&info, nullptr, &instance_), "vkCreateInstance", "Vulkan");
+    const VkResult result = global.vkCreateInstance(&info, nullptr, &instance_);
+    const bool no_driver = result == VK_ERROR_INCOMPATIBLE_DRIVER;  // the loader's answer when it finds none
+    check_result(result, "vkCreateInstance", no_driver ? "no Vulkan driver is installed that works here" : "Vulkan");
 
     try {
         functions_ = load_instance_functions(global.get_instance_proc_addr, instance_, Ownership::own, debug_utils_);

@@ -101,3 +101,30 @@ namespace aureole::shaders {
     target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${out}>")
     target_link_libraries(${target} PUBLIC aureole::rhi)
 endfunction()
+
+# One self-contained GLSL text of <library> for shaders of others, installed with the headers of <target>.
+#   aureole_add_shader_library(<target> <path/name.glsl> INCLUDE_DIRS <dir>...)
+# It lies in the build tree at <binary dir>/include/aureole/glsl/<name>.glsl.
+function(aureole_add_shader_library target library)
+    cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "INCLUDE_DIRS")
+    cmake_path(ABSOLUTE_PATH library NORMALIZE)
+    cmake_path(GET library FILENAME file)
+    set(include_flags)
+    foreach(dir IN LISTS arg_INCLUDE_DIRS)
+        cmake_path(ABSOLUTE_PATH dir NORMALIZE)
+        list(APPEND include_flags -I "${dir}")
+    endforeach()
+    set(output "${CMAKE_CURRENT_BINARY_DIR}/include/aureole/glsl/${file}")
+    add_custom_command(
+        OUTPUT "${output}"
+        COMMAND
+            Python3::Interpreter "${AUREOLE_SHADER_TOOL}" library "${library}" --prelude "${AUREOLE_PRELUDE}" ${include_flags}
+            --output "${output}" --depfile "${output}.d"
+        DEPENDS "${library}" "${AUREOLE_SHADER_TOOL}" "${AUREOLE_PRELUDE}"
+        DEPFILE "${output}.d"
+        COMMENT "Shader library ${file}"
+        VERBATIM)
+    target_sources(${target} PRIVATE "${output}")
+    target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_BINARY_DIR}/include>")
+    install(FILES "${output}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/aureole/glsl")
+endfunction()

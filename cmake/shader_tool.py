@@ -246,6 +246,18 @@ def make_kernel(args):
     write_if_whole(args.depfile, f'{escape_for_make(args.output)}: \\\n  {dependencies}\n')
 
 
+def make_library(args):
+    """One GLSL text of the prelude, a file and all that it includes: for shaders of others."""
+    flat = Flattener([os.path.abspath(d) for d in args.include])
+    flat.add_file(os.path.abspath(args.prelude))
+    flat.add_file(os.path.abspath(args.library))
+    os.makedirs(os.path.dirname(args.output), exist_ok=True)
+    with open(args.output, 'w', encoding='utf-8') as f:
+        f.write(flat.text())
+    with open(args.depfile, 'w', encoding='utf-8') as f:
+        f.write(f'{args.output}: ' + ' '.join(flat.files) + '\n')
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     commands = parser.add_subparsers(required=True)
@@ -259,6 +271,13 @@ def main():
     kernel.add_argument('--output', required=True)
     kernel.add_argument('--depfile', required=True)
     kernel.set_defaults(run=make_kernel)
+    library = commands.add_parser('library', help='make one self-contained GLSL text')
+    library.add_argument('library')
+    library.add_argument('--prelude', required=True)
+    library.add_argument('-I', dest='include', action='append', default=[])
+    library.add_argument('--output', required=True)
+    library.add_argument('--depfile', required=True)
+    library.set_defaults(run=make_library)
     args = parser.parse_args()
     try:
         args.run(args)

@@ -193,6 +193,16 @@ std::span<const PassReport> View::reports() const noexcept { return impl_->repor
 rhi::Texture View::sky_view_table() const noexcept { return impl_->tables->sky_view.table().handle; }
 rhi::Texture View::aerial_perspective_table() const noexcept { return impl_->tables->aerial_perspective.table().handle; }
 rhi::Texture View::light_table() const noexcept { return impl_->tables->light.table().handle; }
+rhi::Buffer View::air_block() const noexcept { return impl_->tables->shared.air.block.handle; }
+rhi::Buffer View::view_block() const noexcept { return impl_->tables->block_buffer.handle; }
+rhi::Texture View::phase_table() const noexcept { return impl_->tables->shared.air.phase_table.handle; }
+std::string View::shader_defines() const {
+    std::string text;
+    const detail::Specialize constants = impl_->tables->shared.specialize();
+    for (const rhi::Specialization& s : constants.values())
+        text += "#define AUREOLE_SPEC_" + std::to_string(s.id) + " " + std::to_string(static_cast<std::int32_t>(s.bits)) + "\n";
+    return text;
+}
 std::uint64_t View::table_bytes() const noexcept { return impl_->tables->objects->texture_bytes(); }
 
 }  // namespace aureole

@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -139,6 +140,13 @@ public:
     /// host that wants them on the CPU runs a view on the CPU backend.
     [[nodiscard]] rhi::Texture light_table() const noexcept;
     [[nodiscard]] std::uint64_t table_bytes() const noexcept;
+
+    /// For a host's own shaders that include <aureole/glsl/aureole.glsl>: "#define AUREOLE_SPEC_<id> <value>" lines that go before
+    /// it, and what to bind beside the tables. Valid until the structure of the air changes (set_parameters).
+    [[nodiscard]] std::string shader_defines() const;
+    [[nodiscard]] rhi::Buffer air_block() const noexcept;    ///< Uniform block, State::constants after the first record.
+    [[nodiscard]] rhi::Buffer view_block() const noexcept;   ///< Uniform block, State::constants after the first record.
+    [[nodiscard]] rhi::Texture phase_table() const noexcept;  ///< State::sampled after Atmosphere::record.
 
     struct Impl;
     [[nodiscard]] Impl& impl() const noexcept { return *impl_; }

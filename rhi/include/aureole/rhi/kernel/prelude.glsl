@@ -15,7 +15,9 @@
 //   - Include guards as in C. A function is declared before it is used.
 //
 // For a host that compiles the GLSL itself for OpenGL: define AUREOLE_OPENGL, AUREOLE_PUSH_BINDING (uniform-block binding that
-// stands for push constants) and AUREOLE_SPEC_<id> for every specialization constant.
+// stands for push constants) and AUREOLE_SPEC_<id> for every specialization constant. For a host's own Vulkan shader that
+// includes look-ups: AUREOLE_SET chooses the descriptor set, AUREOLE_DEFINED_CONSTANTS takes the constants from AUREOLE_SPEC_<id>
+// so that the host's constant ids stay its own.
 #ifndef AUREOLE_PRELUDE_GLSL
 #define AUREOLE_PRELUDE_GLSL
 
@@ -28,19 +30,27 @@
 #define COUNT(n)
 
 #ifdef AUREOLE_OPENGL
+#define AUREOLE_DEFINED_CONSTANTS
 #define AUREOLE_LAYOUT(slot) layout(binding = slot)
 #define AUREOLE_BLOCK_LAYOUT(slot) layout(binding = slot, std140)
+#define PUSH_CONSTANTS(Block, name) layout(binding = AUREOLE_PUSH_BINDING, std140) uniform Block##_push { Block name; };
+#else
+#ifndef AUREOLE_SET
+#define AUREOLE_SET 0
+#endif
+#define AUREOLE_LAYOUT(slot) layout(set = AUREOLE_SET, binding = slot)
+#define AUREOLE_BLOCK_LAYOUT(slot) layout(set = AUREOLE_SET, binding = slot, std140)
+#define PUSH_CONSTANTS(Block, name) layout(push_constant, std430) uniform Block##_push { Block name; };
+#endif
+
+#ifdef AUREOLE_DEFINED_CONSTANTS
 #define SPEC_INT(id, NAME, VALUE) const int NAME = int(AUREOLE_SPEC_##id);
 #define SPEC_BOOL(id, NAME, VALUE) const bool NAME = bool(AUREOLE_SPEC_##id);
 #define SPEC_REAL(id, NAME, VALUE) const float NAME = float(AUREOLE_SPEC_##id);
-#define PUSH_CONSTANTS(Block, name) layout(binding = AUREOLE_PUSH_BINDING, std140) uniform Block##_push { Block name; };
 #else
-#define AUREOLE_LAYOUT(slot) layout(set = 0, binding = slot)
-#define AUREOLE_BLOCK_LAYOUT(slot) layout(set = 0, binding = slot, std140)
 #define SPEC_INT(id, NAME, VALUE) layout(constant_id = id) const int NAME = VALUE;
 #define SPEC_BOOL(id, NAME, VALUE) layout(constant_id = id) const bool NAME = VALUE;
 #define SPEC_REAL(id, NAME, VALUE) layout(constant_id = id) const float NAME = VALUE;
-#define PUSH_CONSTANTS(Block, name) layout(push_constant, std430) uniform Block##_push { Block name; };
 #endif
 
 #define SAMPLER_2D(slot, name) AUREOLE_LAYOUT(slot) uniform sampler2D name;

@@ -21,7 +21,7 @@ SAMPLER_2D(8, directions)
 SPEC_BOOL(16, SCENE_COLOR, false)
 SPEC_BOOL(17, SCENE_DEPTH, false)
 SPEC_BOOL(18, AERIAL_PERSPECTIVE, false)
-CONST(bool, SUN_DISK, false)
+SPEC_BOOL(19, SUN_DISK, true)
 SPEC_INT(20, TONE_MAP, 0)  // 0 none, 1 ACES as fitted by Hill
 SPEC_BOOL(21, ENCODE_SRGB, false)
 SPEC_BOOL(22, DITHER, false)

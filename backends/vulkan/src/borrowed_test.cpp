@@ -109,7 +109,8 @@ TEST_CASE("a host's depth is read in either of its read-only states and kept") {
     } cases[] = {{State::depth_read, VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL},
                  {State::sampled, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL},
                  {State::general, VK_IMAGE_LAYOUT_GENERAL}};
-    for (const auto& [state, layout] : cases) {
+    for (const auto& c : cases) {
+        const State state = c.state;
         CAPTURE(to_string(state));
         Host host;
         HostImage& depth = host.make_image_2d(VK_FORMAT_D32_SFLOAT, extent,
@@ -122,7 +123,7 @@ TEST_CASE("a host's depth is read in either of its read-only states and kept") {
             guest->device().wrap_texture(lend(result, "host result", Format::rgba32_float, Usage::storage, State::general));
         const CopyWork work(guest->device(), source, target);
         host.clear_depth(depth, 0.625f);
-        host.move(depth, layout);
+        host.move(depth, c.layout);
         host.move(result, VK_IMAGE_LAYOUT_GENERAL);
         CommandList& list = guest->begin_recording(host.commands());
         move(list, source, state, State::depth_read);

@@ -93,9 +93,10 @@ constexpr std::array create_pool = std::to_array("vkCreateDescriptorPool");
 
 VKAPI_ATTR void VKAPI_CALL no_half_storage(VkPhysicalDevice device, VkFormat format, VkFormatProperties* properties) {
     truth_of<PFN_vkGetPhysicalDeviceFormatProperties>("vkGetPhysicalDeviceFormatProperties")(device, format, properties);
-    if (format == VK_FORMAT_R16G16B16A16_SFLOAT) properties->optimalTilingFeatures &= ~VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT;
+    if (format == VK_FORMAT_R16G16B16A16_SFLOAT)
+        properties->optimalTilingFeatures &= ~VkFormatFeatureFlags{VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT};
     if (format == VK_FORMAT_R32G32B32A32_SFLOAT)
-        properties->optimalTilingFeatures &= ~VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+        properties->optimalTilingFeatures &= ~VkFormatFeatureFlags{VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT};
 }
 VKAPI_ATTR VkResult VKAPI_CALL small_images(VkPhysicalDevice device, VkFormat format, VkImageType type, VkImageTiling tiling,
                                             VkImageUsageFlags usage, VkImageCreateFlags flags,

@@ -54,13 +54,13 @@ void ShaderLayouts::check_limits(const rhi::Shader& shader) const {
                   std::min(limits.maxPerStageDescriptorSamplers, limits.maxPerStageDescriptorSampledImages)},
                  {rhi::SlotKind::storage_texture, limits.maxPerStageDescriptorStorageImages},
                  {rhi::SlotKind::constants, limits.maxPerStageDescriptorUniformBuffers}};
-    for (const auto& [kind, allowed] : kinds) {
-        const auto count =
-            std::count_if(shader.slots.begin(), shader.slots.end(), [&](const auto& s) { return s.kind == kind; });
-        if (static_cast<std::uint64_t>(count) > allowed)
+    for (const auto& limit : kinds) {
+        const auto same_kind = [&](const rhi::SlotDesc& slot) { return slot.kind == limit.kind; };
+        const auto count = std::count_if(shader.slots.begin(), shader.slots.end(), same_kind);
+        if (static_cast<std::uint64_t>(count) > limit.allowed)
             throw Error(ErrorCode::unsupported, "shader " + std::string(shader.name) + " slots",
-                        std::to_string(count) + " of kind " + rhi::to_string(kind),
-                        "at most " + std::to_string(allowed) + " on this device");
+                        std::to_string(count) + " of kind " + rhi::to_string(limit.kind),
+                        "at most " + std::to_string(limit.allowed) + " on this device");
     }
 }
 

@@ -61,7 +61,8 @@ void march_piece(Ray ray, real t0, real t1, bool dense_end, bool lit, INOUT(RayL
         }
     }
 
-    for (int k = 0; k < RAY_NODES; ++k) {
+    int k = 0;
+    do {  // tested at the end, as in march() below
         real u = quadrature.node[k].x;
         real s = span * u * u;
         real t = dense_end ? t1 - s : t0 + s;
@@ -89,7 +90,8 @@ void march_piece(Ray ray, real t0, real t1, bool dense_end, bool lit, INOUT(RayL
         }
         if (MULTIPLE_SCATTERING)
             light.multiple += transmittance * scattered_diffuse(h, view_mu_after(ray, t, h), mu_s, ray.nu, scattering);
-    }
+        ++k;
+    } while (k < RAY_NODES);
     light.depth += whole;
 }
 

@@ -84,21 +84,25 @@ vec3 scattered_diffuse(real altitude, real mu, real mu_s, real nu, vec3 scatteri
     real p_mm = real(1);
     real c_before = real(0);
     real c_m = real(1);
-    for (int m = 0; m <= ANGULAR_ORDER; ++m) {
+    int m = 0;
+    do {  // loops that must not run an empty round are tested at their end: see march.glsl
         real p = p_mm;
         real p_before = real(0);
-        for (int l = m; l <= ANGULAR_ORDER; ++l) {
+        int l = m;
+        do {
             if (l > 0)
                 by_degree[l] += (p * c_m) * multi_scatter_layer(position, moment_layer(l, m), size, rows);
             real p_next = (real(2 * l + 1) * mu * p - real(l + m) * p_before) / real(l + 1 - m);
             p_before = p;
             p = p_next;
-        }
+            ++l;
+        } while (l <= ANGULAR_ORDER);
         real c_next = (m == 0 ? x : 2 * x * c_m) - sine_squared * c_before;
         c_before = c_m;
         c_m = c_next;
         p_mm *= real(2 * m + 1);
-    }
+        ++m;
+    } while (m <= ANGULAR_ORDER);
 
     vec3 sum = vec3(real(0));
     for (int c = 0; c < PHASE_COUNT; ++c) {

@@ -17,7 +17,7 @@ struct AerialPerspective {
 };
 
 vec3 froxel_layer(vec3 position, int layer, ivec3 size, int rows) {
-    real row = real(layer * rows) + real(0.5) + position.y * real(rows - 1);
+    real row = real(layer * rows) + real(0.5) + clamp_within_layer(position.y * real(rows - 1), rows);
     return vec3(SAMPLE(aerial_perspective_table,
                        vec3(unit_to_texture(position.x, size.x), row / real(size.y), unit_to_texture(position.z, size.z))));
 }

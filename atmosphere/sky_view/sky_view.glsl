@@ -40,6 +40,13 @@ real sky_view_azimuth_position(real azimuth_cosine) {
 }
 real sky_view_azimuth_cosine(real position) { return 1 - 2 * (PUBLISHED_AZIMUTH ? position * position : position); }
 
+// Keeps a row of a layer, 0 to rows - 1, a little off both ends. Coordinates of a stacked texture are rounded: at an end they would
+// let in a trace of the next layer, and a trace of the horizon's optical depth times the peak of a phase function is a bright dot.
+real clamp_within_layer(real row, int rows) {
+    real margin = real(1) / real(256);
+    return clamp(row, margin, real(rows - 1) - margin);
+}
+
 #ifdef AUREOLE_SKY_VIEW_TABLE
 // Texture coordinates of layer 0 of a sun for a direction: cosine and sine of its zenith angle, cosine of its azimuth from the
 // sun's. z: 0 where a camera in space looks past the air.
@@ -51,7 +58,7 @@ vec3 sky_view_coordinates(int sun, real mu, real sine, real azimuth_cosine) {
     ivec2 size = textureSize(sky_view_table, 0);
     int rows = size.y / sky_view_all_layers();
     int half_rows = rows / 2;
-    real row = real(0.5) + sqrt(min(part, real(1))) * real(half_rows - 1) +
+    real row = real(0.5) + clamp_within_layer(sqrt(min(part, real(1))) * real(half_rows - 1), half_rows) +
                real(sun * sky_view_layers() * rows + (below ? 0 : half_rows));
     bool past = view.camera.w > real(0.5) && !below && part > 1;
     return vec3(unit_to_texture(sky_view_azimuth_position(azimuth_cosine), size.x), row / real(size.y), past ? real(0) : real(1));

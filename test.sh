@@ -40,6 +40,10 @@ run() {
     built=$((SECONDS - started))
     ctest --test-dir "build/$preset" --output-on-failure --no-tests=error --parallel "$(nproc)" "$@" < /dev/null 2>&1 | tee "$log"
     if [ "${PIPESTATUS[0]}" != 0 ]; then failed=yes; fi
+    if grep -q '(Skipped)$' "$log"; then
+        summary+=("$preset: skipped tests count as failed here: every package they need was asked for")
+        failed=yes
+    fi
     summary+=("$preset: built in $built s; ctest's closing lines:" "$(sed -n '/tests passed/,$p' "$log" | sed '/^$/d; s/^/    /')")
 }
 

@@ -102,9 +102,10 @@ namespace aureole::shaders {
     target_link_libraries(${target} PUBLIC aureole::rhi)
 endfunction()
 
-# One self-contained GLSL text of <library> for shaders of others, installed with the headers of <target>.
-#   aureole_add_shader_library(<target> <path/name.glsl> INCLUDE_DIRS <dir>...)
-# It lies in the build tree at <binary dir>/include/aureole/glsl/<name>.glsl.
+# aureole_add_shader_library(<target> <path/name.glsl> [INCLUDE_DIRS <dir>...])
+#
+# For shaders of others: prelude, file and all that it includes as one self-contained GLSL text, made with <target> and installed
+# with its headers as <aureole/glsl/name.glsl>. In the build tree it lies under <binary dir>/include, which users of <target> see.
 function(aureole_add_shader_library target library)
     cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "INCLUDE_DIRS")
     cmake_path(ABSOLUTE_PATH library NORMALIZE)
@@ -115,6 +116,7 @@ function(aureole_add_shader_library target library)
         list(APPEND include_flags -I "${dir}")
     endforeach()
     set(output "${CMAKE_CURRENT_BINARY_DIR}/include/aureole/glsl/${file}")
+    file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/include/aureole/glsl")
     add_custom_command(
         OUTPUT "${output}"
         COMMAND
@@ -126,5 +128,7 @@ function(aureole_add_shader_library target library)
         VERBATIM)
     target_sources(${target} PRIVATE "${output}")
     target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_BINARY_DIR}/include>")
-    install(FILES "${output}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/aureole/glsl")
+    if(AUREOLE_INSTALL)
+        install(FILES "${output}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/aureole/glsl")
+    endif()
 endfunction()

@@ -16,7 +16,7 @@ packages=(
     libvulkan1 mesa-vulkan-drivers                      # Vulkan backend, to run: loader and a device on every machine (lavapipe)
     libcli11-dev libtomlplusplus-dev nlohmann-json3-dev # application: command line, scenes, reports
     libopenexr-dev libpng-dev                           # application: images
-    zlib1g-dev                                          # application: compressed height maps
+    libzip-dev                                          # application: height maps in .npz
     python-matplotlib-data                              # application: the terrain of the demo
     doctest-dev                                         # tests
 )

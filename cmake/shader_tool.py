@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Turns one kernel file into a C++ source that holds it as SPIR-V, as GLSL text and as a CPU class.
 
-Called by aureole_add_shaders (AureoleShaders.cmake), which explains the rules. Standard library only.
+Called by aureole_add_shaders and aureole_add_shader_library (AureoleShaders.cmake), which explain the rules. Standard library
+only.
 """
 import argparse
 import os
@@ -216,7 +217,7 @@ constinit const rhi::Shader {name} = {{
 '''
 
 
-def write_if_whole(path, text):
+def write_whole(path, text):
     """Through a temporary file: an interrupted build never leaves half a source."""
     temporary = path + '.tmp'
     with open(temporary, 'w', encoding='utf-8') as f:
@@ -226,6 +227,11 @@ def write_if_whole(path, text):
 
 def escape_for_make(path):
     return path.replace('\\', '\\\\').replace(' ', '\\ ').replace('#', '\\#').replace('$', '$$')
+
+
+def write_depfile(args, files):
+    dependencies = ' \\\n  '.join(escape_for_make(f) for f in files)
+    write_whole(args.depfile, f'{escape_for_make(args.output)}: \\\n  {dependencies}\n')
 
 
 def make_kernel(args):
@@ -241,21 +247,17 @@ def make_kernel(args):
             f.write(text)
         interface = Interface(preprocess(args.glslang, stage, source, flat.origins), args.kernel, stage)
         words = compile_spirv(args, stage, source, flat.origins, folder)
-    write_if_whole(args.output, cpp_source(name, stage, args.kernel, text, words, interface))
-    dependencies = ' \\\n  '.join(escape_for_make(f) for f in flat.files)
-    write_if_whole(args.depfile, f'{escape_for_make(args.output)}: \\\n  {dependencies}\n')
+    write_whole(args.output, cpp_source(name, stage, args.kernel, text, words, interface))
+    write_depfile(args, flat.files)
 
 
 def make_library(args):
     """One GLSL text of the prelude, a file and all that it includes: for shaders of others."""
-    flat = Flattener([os.path.abspath(d) for d in args.include])
-    flat.add_file(os.path.abspath(args.prelude))
-    flat.add_file(os.path.abspath(args.library))
-    os.makedirs(os.path.dirname(args.output), exist_ok=True)
-    with open(args.output, 'w', encoding='utf-8') as f:
-        f.write(flat.text())
-    with open(args.depfile, 'w', encoding='utf-8') as f:
-        f.write(f'{args.output}: ' + ' '.join(flat.files) + '\n')
+    flat = Flattener(args.include)
+    flat.add_file(args.prelude)
+    flat.add_file(args.library)
+    write_whole(args.output, flat.text())
+    write_depfile(args, flat.files)
 
 
 def main():

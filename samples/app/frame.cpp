@@ -7,7 +7,7 @@ namespace aureole::app {
 namespace {
 
 constexpr std::uint32_t meter_width = 192;
-constexpr double middle_grey = 0.18;
+constexpr double middle_grey = 0.4;
 /// Luminance below which automatic exposure does not go on brightening: nights stay dark.
 constexpr double darkest = 1e-9;
 

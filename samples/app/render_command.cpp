@@ -16,7 +16,7 @@ struct RenderOptions {
     std::filesystem::path scene, output, height_map;
     BackendOptions backend;
     std::string quality, size, projection, sun_elevation;
-    std::uint32_t frames = 1, samples = 0;
+    std::uint32_t frames = 1, samples = 2;
     bool raster = false;
 };
 
@@ -50,9 +50,10 @@ void write_frame(const std::filesystem::path& path, const Frame& frame) {
     else write_png(path, frame.display);
 }
 
-void report(const std::filesystem::path& path, const Scene& scene, const Frame& frame) {
-    std::printf("%s  %ux%u", path.c_str(), scene.width, scene.height);
-    if (frame.linear.width == 0) std::printf(", exposure %.4g", frame.exposure);
+void report(const std::filesystem::path& path, const FrameOptions& options, const Frame& frame) {
+    std::printf("%s  %ux%u", path.c_str(), options.width, options.height);
+    if (options.samples > 1) std::printf(", composite at %ux%u", options.width * options.samples, options.height * options.samples);
+    if (!options.linear) std::printf(", exposure %.4g", frame.exposure);
     std::printf("\n  passes: %s\n", print_times(frame.times).c_str());
 }
 
@@ -81,7 +82,7 @@ void render(const RenderOptions& options) {
     frame_options.height = scene.height;
     frame_options.linear = is_linear(options.output);
     frame_options.raster = options.raster;
-    frame_options.samples = options.samples > 0 ? options.samples : scene.terrain ? 2 : 1;
+    frame_options.samples = options.samples;
     const bool sequence = !options.sun_elevation.empty();
     // Said before the work, not after it.
     { const NewFile writable(sequence ? numbered(options.output, 1) : options.output); }
@@ -99,7 +100,7 @@ void render(const RenderOptions& options) {
     }
     const Frame frame = renderer.render(suns_of(scene));
     write_frame(options.output, frame);
-    report(options.output, scene, frame);
+    report(options.output, frame_options, frame);
 }
 
 }  // namespace
@@ -120,8 +121,9 @@ void add_render_command(CLI::App& program) {
         ->check(CLI::IsMember({"perspective", "fisheye", "panorama"}));
     command->add_flag("--raster", options->raster, "Composite with a full-screen draw instead of a compute pass");
     command->add_option("--samples", options->samples,
-                        "Average N by N samples a pixel, 1 to 4 (default: 2 with terrain, else 1)")
-        ->check(CLI::Range(1u, 4u));
+                        "Composite N by N times as many pixels and average them, 1 to 4: smooth edges of sun, horizon and land")
+        ->check(CLI::Range(1u, 4u))
+        ->default_str("2");
     command->add_option("--heightmap", options->height_map,
                         "Height map of a scene with terrain, instead of the scene's: jacksboro, or an .npz, .png or .exr file");
     CLI::Option* elevations = command->add_option(

@@ -17,6 +17,7 @@ constexpr int finest = 4;                          // times finer than the map
 
 /// Index in [0, count) of an index that runs through mirror images of a row of `count` cells.
 std::int64_t mirror(std::int64_t index, std::int64_t count) {
+    if (index >= 0 && index < count) return index;
     const std::int64_t period = 2 * count;
     const std::int64_t i = ((index % period) + period) % period;
     return i < count ? i : period - 1 - i;
@@ -148,9 +149,10 @@ HeightField::Corner HeightField::corner(glm::dvec2 place) const {
     const double floor_x = std::floor(cells.x), floor_y = std::floor(cells.y);
     const std::int64_t ix = static_cast<std::int64_t>(floor_x), iy = static_cast<std::int64_t>(floor_y);
     const std::int64_t x = mirror(ix, nx_), y = mirror(iy, ny_);
+    // In a mirror image cells run backwards: every other image, counted from the map itself.
+    const auto backwards = [](std::int64_t i, std::int64_t n) { return i >= 0 ? i / n % 2 == 1 : (-1 - i) / n % 2 == 0; };
+    const bool back_x = backwards(ix, nx_), back_y = backwards(iy, ny_);
     Corner c;
-    // In a mirror image the cell runs backwards.
-    const bool back_x = ((ix % (2 * nx_)) + 2 * nx_) % (2 * nx_) >= nx_, back_y = ((iy % (2 * ny_)) + 2 * ny_) % (2 * ny_) >= ny_;
     c.fx = back_x ? 1 - (cells.x - floor_x) : cells.x - floor_x;
     c.fy = back_y ? 1 - (cells.y - floor_y) : cells.y - floor_y;
     c.sign_x = back_x ? -1 : 1;

@@ -42,9 +42,9 @@ double depth_value(const glm::dmat4& projection, double view_depth) {
 
 /// The grid's slopes know nothing below its spacing: roughness for the light alone, fading with distance.
 glm::dvec3 roughen(glm::dvec3 normal, glm::dvec2 place, double footprint_m) {
-    constexpr double coarsest_m = 60, strength = 9;  // metres of height
-    constexpr double delta = 2;
-    const auto bump = [&](glm::dvec2 p) { return strength * fractal_noise(p, coarsest_m, footprint_m, 4); };
+    constexpr double coarsest_m = 60, strength = 10;  // metres of height
+    const double delta = std::clamp(footprint_m, 0.25, 2.0);
+    const auto bump = [&](glm::dvec2 p) { return strength * fractal_noise(p, coarsest_m, footprint_m, 7); };
     const double here = bump(place);
     const glm::dvec2 slope((bump(place + glm::dvec2(delta, 0)) - here) / delta, (bump(place + glm::dvec2(0, delta)) - here) / delta);
     return glm::normalize(glm::dvec3(normal.x - slope.x * normal.z, normal.y - slope.y * normal.z, normal.z));
@@ -70,14 +70,21 @@ struct Shading {
         const double between = std::clamp((height - light.low_m) / (light.high_m - light.low_m), 0.0, 1.0);
         const double open = field.open_sky(place);
 
-        Rgb irradiance(0);
+        Rgb irradiance(0), on_the_flat(0);
         for (std::size_t s = 0; s < light.low.size(); ++s) {
             const LightRow &low = light.low[s], &high = light.high[s];
-            irradiance += open * glm::mix(sky_irradiance(low.sky, normal), sky_irradiance(high.sky, normal), between);
-            const double cosine = glm::dot(normal, light.sun_directions[s]);
+            const glm::dvec3& direction = light.sun_directions[s];
+            const glm::dvec3 up = glm::normalize(point);
+            const double cosine = glm::dot(normal, direction);
             const Rgb sun = glm::mix(low.sun, high.sun, between);
-            if (cosine > 0 && sun.r + sun.g + sun.b > 0 && !in_shadow(point, light.sun_directions[s])) irradiance += sun * cosine;
+            irradiance += open * glm::mix(sky_irradiance(low.sky, normal), sky_irradiance(high.sky, normal), between);
+            on_the_flat += glm::mix(sky_irradiance(low.sky, up), sky_irradiance(high.sky, up), between) +
+                           sun * std::max(glm::dot(up, direction), 0.0);
+            if (cosine > 0 && sun.r + sun.g + sun.b > 0 && !in_shadow(point, direction)) irradiance += sun * cosine;
         }
+        // What the land hides of the sky it replaces by its own light: once reflected, by ground as bright as flat ground.
+        const Rgb around = look.albedo.value_or(Rgb(0.07, 0.08, 0.04));
+        irradiance += (1 - open) * around * on_the_flat;
         const Rgb albedo = look.albedo.value_or(natural_albedo(place, height, smooth_normal, footprint_m));
         return albedo * std::numbers::inv_pi * irradiance;
     }
@@ -107,13 +114,15 @@ Rgb sky_irradiance(const std::array<Rgb, 9>& sky, const glm::dvec3& n) {
 Rgb natural_albedo(glm::dvec2 place, double height_m, const glm::dvec3& normal, double footprint_m) {
     const Rgb meadow(0.105, 0.125, 0.045), stubble(0.20, 0.165, 0.085), forest(0.032, 0.047, 0.017), rock(0.21, 0.19, 0.165);
     const double steepness = 1 - normal.z;  // 0 flat, 0.29 at 45 degrees
-    const double patches = fractal_noise(place, 420, footprint_m, 5);
-    const double stands = fractal_noise(place + glm::dvec2(5000, 0), 1600, footprint_m, 6);
+    const double patches = fractal_noise(place, 420, footprint_m, 9);
+    const double stands = fractal_noise(place + glm::dvec2(5000, 0), 1600, footprint_m, 10);
+    const double crowns = fractal_noise(place, 13, footprint_m, 4);
 
     const Rgb fields = glm::mix(meadow, stubble, smooth(0.42, 0.62, patches));
+    const Rgb trees = forest * (0.75 + 0.5 * patches) * (0.55 + 0.9 * crowns);
     // Woods on slopes and heights, fields in the flat.
     const double wooded = smooth(0.006, 0.03, steepness + 0.04 * (stands - 0.5)) * 0.85 + 0.15 * smooth(400, 700, height_m);
-    const Rgb ground = glm::mix(fields, forest * (0.75 + 0.5 * patches), std::clamp(wooded + 0.5 * (stands - 0.5), 0.0, 1.0));
+    const Rgb ground = glm::mix(fields, trees, smooth(0.3, 0.7, wooded + 0.6 * (stands - 0.5)));
     return glm::mix(ground, rock * (0.7 + 0.6 * patches), smooth(0.16, 0.30, steepness + 0.08 * (patches - 0.5)));
 }
 

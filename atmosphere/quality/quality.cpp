@@ -95,7 +95,7 @@ QualitySettings QualitySettings::high() {
     s.multi_scatter_azimuth = 5;
     s.multi_scatter_nodes = 12;
     s.multi_scatter_orders = 4;
-    s.sky_view = {64, 192, 1};
+    s.sky_view = {64, 256, 1};
     s.sky_view_nodes = 12;
     s.aerial_perspective = {32, 32, 64};
     s.aerial_perspective_nodes = 2;

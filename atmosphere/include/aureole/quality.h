@@ -29,7 +29,7 @@ struct QualitySettings {
     int multi_scatter_nodes = 8;           ///< Gauss nodes a ray (uniform steps in published_2020), in [2, 16] ([1, 256]).
     int multi_scatter_orders = 3;          ///< Passes of the fixed point before the rest is extrapolated, in [1, 64].
 
-    rhi::Extent sky_view{32, 128, 1};  ///< Azimuth x elevation nodes. Each in [4, 4096].
+    rhi::Extent sky_view{32, 192, 1};  ///< Azimuth x elevation nodes. Each in [4, 4096].
     int sky_view_nodes = 8;            ///< Gauss nodes a ray segment (uniform steps in published_2020), in [2, 16] ([1, 256]).
     int sky_view_space_nodes = 12;     ///< The same for a camera above the atmosphere, whose rays cross more of it.
 

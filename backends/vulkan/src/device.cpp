@@ -107,6 +107,25 @@ NativeBinding Device::native_binding(const rhi::SlotDesc& slot, const rhi::Bindi
     return native;
 }
 
+namespace {
+/// The object of a handle that the caller gave.
+template <class Registry, class Handle>
+const auto& live(const Registry& registry, Handle handle, const char* kind) {
+    const auto* object = registry.find(handle);
+    if (!object)
+        throw Error(ErrorCode::invalid_argument, kind, handle ? "an unknown or destroyed handle" : "null",
+                    std::string("a live ") + kind + " of this device");
+    return *object;
+}
+}  // namespace
+
+NativeTexture Device::native(rhi::Texture texture) const {
+    const TextureObject& object = live(objects_.textures, texture, "texture");
+    return {object.image(), object.sampled_view(), object.read_layout()};
+}
+
+VkBuffer Device::native(rhi::Buffer buffer) const { return live(objects_.buffers, buffer, "buffer").buffer(); }
+
 void Device::destroy(rhi::AnyHandle handle, std::uint64_t last_used_frame) {
     if (!objects_.destroy(handle, last_used_frame)) sink_.misuse("destroy: unknown or destroyed handle");
 }

@@ -7,6 +7,7 @@
 #include "timestamps.h"
 
 #include <aureole/rhi/device.h>
+#include <aureole/vulkan/vulkan_device.h>
 
 namespace aureole::vulkan {
 
@@ -32,6 +33,10 @@ public:
     void read_buffer(rhi::Buffer buffer, std::span<std::byte> bytes) override;
     void read_timestamps(std::span<double> out_nanoseconds) override;
     void set_message_callback(rhi::MessageCallback callback, void* user) override;
+
+    /// Throw Error(invalid_argument) for null, unknown and destroyed handles.
+    [[nodiscard]] NativeTexture native(rhi::Texture texture) const;
+    [[nodiscard]] VkBuffer native(rhi::Buffer buffer) const;
 
     [[nodiscard]] Context& context() noexcept { return context_; }
     [[nodiscard]] Objects& objects() noexcept { return objects_; }

@@ -59,7 +59,7 @@ Host::Host(bool validation) : validation_(validation) {
     commands.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
     commands.commandBufferCount = 1;
     REQUIRE(vkAllocateCommandBuffers(device_, &commands, &commands_) == VK_SUCCESS);
-    make_staging();
+    staging_ = &make_buffer(staging_size, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
 }
 
 Host::~Host() {
@@ -67,8 +67,10 @@ Host::~Host() {
         vkDestroyImage(device_, image->image, nullptr);
         vkFreeMemory(device_, image->memory, nullptr);
     }
-    vkDestroyBuffer(device_, staging_, nullptr);
-    vkFreeMemory(device_, staging_memory_, nullptr);
+    for (const auto& buffer : buffers_) {
+        vkDestroyBuffer(device_, buffer->buffer, nullptr);
+        vkFreeMemory(device_, buffer->memory, nullptr);
+    }
     vkDestroyPipelineCache(device_, pipeline_cache_, nullptr);
     vkDestroyCommandPool(device_, pool_, nullptr);
     vkDestroyDevice(device_, nullptr);
@@ -106,24 +108,26 @@ std::uint32_t Host::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wan
     return 0;
 }
 
-void Host::make_staging() {
+HostBuffer& Host::make_buffer(VkDeviceSize size, VkBufferUsageFlags usage) {
+    HostBuffer& made = *buffers_.emplace_back(std::make_unique<HostBuffer>());
     VkBufferCreateInfo info = {};
     info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
-    info.size = staging_size;
-    info.usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-    REQUIRE(vkCreateBuffer(device_, &info, nullptr, &staging_) == VK_SUCCESS);
+    info.size = size;
+    info.usage = usage;
+    REQUIRE(vkCreateBuffer(device_, &info, nullptr, &made.buffer) == VK_SUCCESS);
     VkMemoryRequirements need = {};
-    vkGetBufferMemoryRequirements(device_, staging_, &need);
+    vkGetBufferMemoryRequirements(device_, made.buffer, &need);
     VkMemoryAllocateInfo memory = {};
     memory.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
     memory.allocationSize = need.size;
     memory.memoryTypeIndex =
         memory_type(need.memoryTypeBits, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
-    REQUIRE(vkAllocateMemory(device_, &memory, nullptr, &staging_memory_) == VK_SUCCESS);
-    REQUIRE(vkBindBufferMemory(device_, staging_, staging_memory_, 0) == VK_SUCCESS);
+    REQUIRE(vkAllocateMemory(device_, &memory, nullptr, &made.memory) == VK_SUCCESS);
+    REQUIRE(vkBindBufferMemory(device_, made.buffer, made.memory, 0) == VK_SUCCESS);
     void* bytes = nullptr;
-    REQUIRE(vkMapMemory(device_, staging_memory_, 0, VK_WHOLE_SIZE, 0, &bytes) == VK_SUCCESS);
-    staging_bytes_ = static_cast<const std::byte*>(bytes);
+    REQUIRE(vkMapMemory(device_, made.memory, 0, VK_WHOLE_SIZE, 0, &bytes) == VK_SUCCESS);
+    made.bytes = {static_cast<std::byte*>(bytes), static_cast<std::size_t>(size)};
+    return made;
 }
 
 HostImage& Host::make_image(VkImageCreateInfo info, VkImageAspectFlags aspect) {
@@ -207,23 +211,28 @@ void Host::clear_depth(HostImage& image, float depth) {
     vkCmdClearDepthStencilImage(commands(), image.image, image.layout, &value, 1, &range);
 }
 
+void Host::publish(VkPipelineStageFlags stage, VkAccessFlags writes) {
+    VkMemoryBarrier visible = {};
+    visible.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
+    visible.srcAccessMask = writes;
+    visible.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
+    vkCmdPipelineBarrier(commands(), stage, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &visible, 0, nullptr, 0, nullptr);
+}
+
+void Host::publish_shader_writes() { publish(VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT); }
+
 std::vector<std::byte> Host::read(HostImage& image, VkExtent3D extent, std::size_t bytes) {
     const VkImageLayout before = image.layout;
     move(image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
     VkBufferImageCopy region = {};
     region.imageSubresource = {image.aspect, 0, 0, 1};
     region.imageExtent = extent;
-    vkCmdCopyImageToBuffer(commands(), image.image, image.layout, staging_, 1, &region);
+    vkCmdCopyImageToBuffer(commands(), image.image, image.layout, staging_->buffer, 1, &region);
     move(image, before);
-    VkMemoryBarrier visible = {};
-    visible.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
-    visible.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
-    visible.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
-    vkCmdPipelineBarrier(commands(), VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &visible, 0, nullptr, 0,
-                         nullptr);
+    publish(VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT);
     submit_and_wait();
     REQUIRE(bytes <= staging_size);
-    return {staging_bytes_, staging_bytes_ + bytes};
+    return {staging_->bytes.data(), staging_->bytes.data() + bytes};
 }
 
 }  // namespace aureole::vulkan::test

@@ -6,7 +6,9 @@
 
 #include <vulkan/vulkan.h>
 
+#include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace aureole::vulkan::test {
@@ -17,6 +19,13 @@ struct HostImage {
     VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;  ///< As the host believes it to be.
     std::uint32_t layers = 1;
+};
+
+/// A buffer that the CPU sees.
+struct HostBuffer {
+    VkBuffer buffer = VK_NULL_HANDLE;
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    std::span<std::byte> bytes{};
 };
 
 class Host {
@@ -35,6 +44,9 @@ public:
     HostImage& make_image(VkImageCreateInfo info, VkImageAspectFlags aspect);
     HostImage& make_image_2d(VkFormat format, VkExtent2D extent, VkImageUsageFlags usage);
 
+    /// A mapped buffer, destroyed with the host.
+    HostBuffer& make_buffer(VkDeviceSize size, VkBufferUsageFlags usage);
+
     /// Recording: `commands()` begins a command buffer if there is none.
     VkCommandBuffer commands();
     void submit_and_wait();
@@ -42,6 +54,8 @@ public:
     void move(HostImage& image, VkImageLayout layout);
     void clear_color(HostImage& image, float r, float g, float b, float a);
     void clear_depth(HostImage& image, float depth);
+    /// What shaders wrote so far may be read by the CPU after submit_and_wait.
+    void publish_shader_writes();
     /// The first `bytes` bytes of an image's first layer, after everything recorded so far.
     std::vector<std::byte> read(HostImage& image, VkExtent3D extent, std::size_t bytes);
 
@@ -55,14 +69,13 @@ private:
     VkCommandPool pool_ = VK_NULL_HANDLE;
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
     VkPipelineCache pipeline_cache_ = VK_NULL_HANDLE;
-    VkBuffer staging_ = VK_NULL_HANDLE;
-    VkDeviceMemory staging_memory_ = VK_NULL_HANDLE;
-    const std::byte* staging_bytes_ = nullptr;
+    HostBuffer* staging_ = nullptr;
     bool recording_ = false, validation_ = false;
     std::unique_ptr<Messenger> messenger_;
     std::vector<std::unique_ptr<HostImage>> images_;
+    std::vector<std::unique_ptr<HostBuffer>> buffers_;
 
-    void make_staging();
+    void publish(VkPipelineStageFlags stage, VkAccessFlags writes);
     [[nodiscard]] std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted) const;
 };
 

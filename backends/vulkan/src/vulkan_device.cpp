@@ -73,6 +73,8 @@ public:
     [[nodiscard]] rhi::Device& device() override { return *device_; }
     [[nodiscard]] rhi::Queue& queue() override { return *queue_; }
     [[nodiscard]] VulkanHandles handles() const override { return handles_; }
+    [[nodiscard]] NativeTexture native(rhi::Texture texture) const override { return device_->native(texture); }
+    [[nodiscard]] VkBuffer native(rhi::Buffer buffer) const override { return device_->native(buffer); }
 
 private:
     static MessageSink sink_of(const VulkanDeviceDesc& desc) {
@@ -138,6 +140,8 @@ public:
         return list_;
     }
     void end_recording() noexcept override { list_.end(); }
+    [[nodiscard]] NativeTexture native(rhi::Texture texture) const override { return device_.native(texture); }
+    [[nodiscard]] VkBuffer native(rhi::Buffer buffer) const override { return device_.native(buffer); }
 
 private:
     MessageSink sink_;

@@ -67,6 +67,18 @@ struct VulkanHandles {
     std::uint32_t queue_family = 0;
 };
 
+/// What a host puts into descriptor sets of its own to sample a texture of Aureole's. Owned by the device and valid until the
+/// texture is destroyed (and its last frame collected); a texture that the host lent stays the host's.
+struct NativeTexture {
+    VkImage image = VK_NULL_HANDLE;
+    /// All of it, as shaders declare it (2D, 3D, cube); null if the texture was made without rhi::Usage::sampled.
+    VkImageView sampled_view = VK_NULL_HANDLE;
+    /// The layout that the image has in rhi::State::sampled, for VkDescriptorImageInfo::imageLayout. The barrier into that
+    /// state lets compute and (on a queue with graphics) fragment shaders read what was written before; other stages need a
+    /// barrier of the host's. The next barrier out of it waits for those two stages.
+    VkImageLayout sampled_layout = VK_IMAGE_LAYOUT_UNDEFINED;
+};
+
 /// A headless device with instance, VkDevice and queue of its own. Destroying it waits for its work and frees everything
 /// made from it.
 class VulkanDevice {
@@ -75,6 +87,12 @@ public:
     [[nodiscard]] virtual rhi::Device& device() = 0;
     [[nodiscard]] virtual rhi::Queue& queue() = 0;
     [[nodiscard]] virtual VulkanHandles handles() const = 0;
+
+    /// The objects behind a handle of this device, for descriptor sets of the caller's own. Error(invalid_argument) for a null,
+    /// unknown or destroyed handle.
+    [[nodiscard]] virtual NativeTexture native(rhi::Texture texture) const = 0;
+    /// The same for a buffer; bind the whole of it. rhi::State::constants makes it readable as the text above says of textures.
+    [[nodiscard]] virtual VkBuffer native(rhi::Buffer buffer) const = 0;
 };
 
 /// Throws Error: unsupported (no Vulkan, no matching or no usable device, no validation layer; the text says why),
@@ -117,6 +135,12 @@ public:
     /// Ends the recording: textures lent with rhi::Device::wrap_texture that are not in the state they were lent in are
     /// returned to it, open debug markers are closed. The command buffer stays in the recording state. Never throws.
     virtual void end_recording() noexcept = 0;
+
+    /// The objects behind a handle of this device, for descriptor sets of the host's own. Error(invalid_argument) for a null,
+    /// unknown or destroyed handle.
+    [[nodiscard]] virtual NativeTexture native(rhi::Texture texture) const = 0;
+    /// The same for a buffer; bind the whole of it. rhi::State::constants makes it readable as the text above says of textures.
+    [[nodiscard]] virtual VkBuffer native(rhi::Buffer buffer) const = 0;
 };
 
 /// Throws Error: invalid_argument (a null handle, an unknown queue family), unsupported (api_version, a queue without

@@ -10,9 +10,9 @@ namespace {
     throw Error(ErrorCode::unsupported, what, has, needed);
 }
 
-void require_table(const rhi::Device& device, rhi::Format format, rhi::Dimension dimension) {
+void require_table(const rhi::Device& device, rhi::Format format, rhi::Dimension dimension, bool filtered = true) {
     const rhi::FormatSupport support = device.format_support(format, dimension);
-    if (support.sampled && support.linear_filter && support.storage) return;
+    if (support.sampled && (support.linear_filter || !filtered) && support.storage) return;
     const auto word = [](bool yes, const char* text) { return std::string(yes ? "" : "no ") + text; };
     missing(std::string("device format ") + rhi::to_string(format) + " (" + rhi::to_string(dimension) + ")",
             word(support.sampled, "sampling") + ", " + word(support.linear_filter, "linear filter") + ", " +
@@ -33,7 +33,8 @@ void require_device(const rhi::Device& device, const QualitySettings& quality) {
     if (capabilities.max_push_constant_bytes < 16)
         missing("device.max_push_constant_bytes", std::to_string(capabilities.max_push_constant_bytes), "at least 16");
     require_table(device, quality.table_format, rhi::Dimension::d2);
-    require_table(device, rhi::Format::rgba32_float, rhi::Dimension::d2);
+    require_table(device, rhi::Format::rgba32_float, rhi::Dimension::d2, false);
+    require_table(device, rhi::Format::rgba16_float, rhi::Dimension::d2);
     require_table(device, quality.froxel_format, rhi::Dimension::d3);
     const auto moments = static_cast<std::uint32_t>((quality.angular_order + 1) * (quality.angular_order + 2) / 2);
     const auto directions = static_cast<std::uint32_t>(2 * quality.multi_scatter_zenith * quality.multi_scatter_azimuth);

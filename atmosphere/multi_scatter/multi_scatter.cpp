@@ -12,8 +12,15 @@ namespace {
 
 constexpr rhi::Usage table_usage = rhi::Usage::sampled | rhi::Usage::storage;
 
-/// Moments are logarithms and ratios: half floats would lose a percent of the former.
+/// Rays and sums are fetched texel by texel.
 constexpr rhi::Format moment_format = rhi::Format::rgba32_float;
+
+/// The table and the orders of scattering are filtered. Its logarithms lose up to half a percent in half floats, which serve only where nothing better can be
+/// filtered (some phones).
+rhi::Format table_format(const rhi::Device& device) {
+    const bool filtered = device.format_support(rhi::Format::rgba32_float, rhi::Dimension::d2).linear_filter;
+    return filtered ? rhi::Format::rgba32_float : rhi::Format::rgba16_float;
+}
 
 std::uint32_t moment_count(const QualitySettings& quality) {
     const auto order = static_cast<std::uint32_t>(quality.angular_order);
@@ -45,7 +52,7 @@ MultiScatterPass::MultiScatterPass(AirResources& shared, TrackedTexture& transmi
     : published_(shared.quality.sampling == Sampling::published_2020),
       passes_(published_ ? 1 : shared.quality.multi_scatter_orders) {
     table_ = shared.objects.texture(
-        {"multi_scatter", rhi::Dimension::d2, moment_format, table_extent(shared.quality), table_usage});
+        {"multi_scatter", rhi::Dimension::d2, table_format(shared.objects.device()), table_extent(shared.quality), table_usage});
     if (published_) create_published(shared, transmittance);
     else create_gauss(shared, transmittance);
 }
@@ -56,8 +63,9 @@ void MultiScatterPass::create_gauss(AirResources& shared, TrackedTexture& transm
     const auto directions = static_cast<std::uint32_t>(2 * quality.multi_scatter_zenith * quality.multi_scatter_azimuth);
     const rhi::Extent ray_extent{quality.multi_scatter.width, quality.multi_scatter.height * directions, 1};
     rays_ = objects.texture({"multi_scatter rays", rhi::Dimension::d2, moment_format, ray_extent, table_usage});
+    const rhi::Format order_format = table_format(objects.device());  // filtered too, as the source of the next order
     for (int i = 0; i < 2; ++i) {
-        order_[i] = objects.texture({"multi_scatter order", rhi::Dimension::d2, moment_format, table_.extent, table_usage});
+        order_[i] = objects.texture({"multi_scatter order", rhi::Dimension::d2, order_format, table_.extent, table_usage});
         sum_[i] = objects.texture({"multi_scatter sum", rhi::Dimension::d2, moment_format, table_.extent, table_usage});
     }
     ray_rule_ = quadrature_block(quality.multi_scatter_nodes);

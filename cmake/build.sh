@@ -20,11 +20,26 @@ fi
 echo "Building $folder with $jobs jobs"
 targets=()
 [ $# = 0 ] || targets=(--target "$@")
-# On a terminal ninja keeps to one line; elsewhere a line per file would drown the rest.
+build=(cmake --build "$folder" --parallel "$jobs" "${targets[@]}")
+
+# On a terminal ninja keeps to one line; elsewhere a line per file would drown the rest, so every tenth of the way is told.
 if [ -t 1 ]; then
-    cmake --build "$folder" --parallel "$jobs" "${targets[@]}" < /dev/null
-elif ! cmake --build "$folder" --parallel "$jobs" "${targets[@]}" < /dev/null > "$folder/build.log" 2>&1; then
-    grep -v '^\[[0-9]*/[0-9]*\] ' "$folder/build.log" >&2
+    "${build[@]}" < /dev/null
+    exit
+fi
+tell() {
+    local line tenth told=0
+    while IFS= read -r line; do
+        if [[ $line =~ ^\[([0-9]+)/([0-9]+)\]\  ]]; then
+            tenth=$((10 * BASH_REMATCH[1] / BASH_REMATCH[2]))
+            if [ $tenth -gt $told ]; then echo "  ${BASH_REMATCH[1]} of ${BASH_REMATCH[2]} steps"; fi
+            told=$tenth
+        elif [[ $line != "ninja: no work to do." ]]; then
+            echo "$line"
+        fi
+    done
+}
+if ! "${build[@]}" < /dev/null 2>&1 | tell; then
     echo "Building $folder failed (its messages are above)." >&2
     exit 1
 fi

@@ -15,7 +15,7 @@ namespace aureole::app {
 
 struct BackendOptions {
     std::string name = "auto";  ///< "auto", "vulkan", "cpu" or "cpu-double".
-    std::string device;         ///< Part of a Vulkan device's name; empty: the best one.
+    std::string device{};       ///< Part of a Vulkan device's name; empty: the best one.
     bool validation = false;    ///< Vulkan: under the validation layer; its findings become errors of `Backend::check`.
     unsigned threads = 0;       ///< CPU: 0 for all.
     bool count_work = false;    ///< CPU: count evaluations, look-ups and bytes (cpu::CpuDevice::work).

@@ -28,9 +28,9 @@ std::string_view entry(std::string_view header, std::string_view key, const Faul
     const std::string quoted = "'" + std::string(key) + "'";
     std::size_t at = header.find(quoted);
     if (at == std::string_view::npos) fault("its header has no " + std::string(key));
-    at = header.find_first_not_of(" ", at + quoted.size());
+    at = header.find_first_not_of(" \n", at + quoted.size());
     if (at == std::string_view::npos || header[at] != ':') fault("its header has no value of " + std::string(key));
-    at = header.find_first_not_of(" ", at + 1);
+    at = header.find_first_not_of(" \n", at + 1);
     if (at == std::string_view::npos) fault("its header has no value of " + std::string(key));
     return header.substr(at);
 }

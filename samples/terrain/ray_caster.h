@@ -18,8 +18,8 @@ public:
         double distance_m;
         glm::dvec2 place;
     };
-    /// First meeting at a distance in [from, to]; `direction` is a unit vector. A ray that only grazes the land inside one grid
-    /// cell may miss it.
+    /// First meeting at a distance in [from, to]; `direction` is a unit vector. A ray that starts inside the land meets
+    /// it at once; one that only grazes the land inside one grid cell may miss it.
     [[nodiscard]] std::optional<Hit> cast(const glm::dvec3& origin, const glm::dvec3& direction, double from_m, double to_m) const;
 
     /// Place below (or above) a point, and back to a point at a height above the planet's ground radius.

@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+"""The application as a user sees it: results, one clear line and exit code 2 for every fault, nothing partial left behind.
+
+Usage: cli_test.py AUREOLE SCENES [BACKEND]; works in the current folder.
+"""
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+
+AUREOLE, SCENES = sys.argv[1], pathlib.Path(sys.argv[2])
+BACKEND = ['--backend', sys.argv[3] if len(sys.argv) > 3 else 'cpu']
+FOLDER = pathlib.Path('cli')
+failures = []
+
+
+def run(*arguments):
+    return subprocess.run([AUREOLE, *map(str, arguments)], capture_output=True, text=True, timeout=240)
+
+
+def expect(truth, what, result=None):
+    if not truth:
+        failures.append(what if result is None else f'{what}: exit {result.returncode}\n{result.stdout}{result.stderr}')
+
+
+def works(*arguments):
+    result = run(*arguments)
+    expect(result.returncode == 0, f'works {arguments}', result)
+    return result.stdout
+
+
+def fails(part, *arguments):
+    """Exit code 2, one line on stderr that holds `part`, and no new file."""
+    before = sorted(FOLDER.iterdir())
+    result = run(*arguments)
+    lines = result.stderr.splitlines()
+    expect(result.returncode == 2 and len(lines) == 1 and lines[0].startswith('aureole: ') and part in lines[0],
+           f'fails with {part!r}: {arguments}', result)
+    expect(sorted(FOLDER.iterdir()) == before, f'{arguments} left files behind')
+
+
+def put(name, text):
+    path = FOLDER / name
+    path.write_text(text)
+    return path
+
+
+def check_render():
+    noon, small = SCENES / 'noon.toml', ['--size', '64x36', '--quality', 'low', *BACKEND]
+    out = works('render', noon, '-o', FOLDER / 'a.png', *small)
+    expect((FOLDER / 'a.png').read_bytes().startswith(b'\x89PNG'), 'a.png is a PNG')
+    for part in ('a.png', 'transmittance', 'composite', ' ms', BACKEND[1] + ' on '):
+        expect(part in out, f'render prints {part!r}: {out}')
+    works('render', noon, '-o', FOLDER / 'a.exr', '--raster', '--projection', 'fisheye', *small)
+    expect((FOLDER / 'a.exr').read_bytes().startswith(b'\x76\x2f\x31\x01'), 'a.exr is an EXR')
+    works('render', noon, '-o', FOLDER / 'p.png', '--projection', 'panorama', '--samples', 1, *small)
+    works('render', noon, '-o', FOLDER / 's.png', '--sun-elevation', '-5:20', '--frames', 3, *small)
+    works('render', noon, '-o', FOLDER / 't%02d.png', '--sun-elevation', '-5:20', '--frames', 2, *small)
+    for name in ('s-0001.png', 's-0003.png', 't01.png', 't02.png'):
+        expect((FOLDER / name).exists(), f'{name} exists')
+    expect((FOLDER / 's-0001.png').read_bytes() != (FOLDER / 's-0003.png').read_bytes(), 'the sun moves')
+
+
+def check_render_faults():
+    noon, terrain = SCENES / 'noon.toml', SCENES / 'terrain_near.toml'
+    out = ['-o', FOLDER / 'x.png', *BACKEND]
+    fails('no_scene.toml: there is no such file', 'render', 'no_scene.toml', *out)
+    fails('--output', 'render', noon, *BACKEND)
+    fails('a name that ends in .png or .exr', 'render', noon, '-o', FOLDER / 'x.jpg', *BACKEND)
+    fails('there is no folder', 'render', noon, '-o', FOLDER / 'none/x.png', *BACKEND)
+    fails('--size', 'render', noon, *out, '--size', '100')
+    fails('--size', 'render', noon, *out, '--size', '0x100')
+    fails('--quality', 'render', noon, *out, '--quality', 'ultra')
+    fails('--backend', 'render', noon, '-o', FOLDER / 'x.png', '--backend', 'metal')
+    fails('--projection', 'render', noon, *out, '--projection', 'mercator')
+    fails('perspective, for a scene with terrain', 'render', terrain, *out, '--projection', 'fisheye')
+    fails('--samples', 'render', noon, *out, '--samples', '5')
+    fails('--sun-elevation', 'render', noon, *out, '--sun-elevation', '5', '--frames', '2')
+    fails('--frames', 'render', noon, *out, '--sun-elevation', '5:6')
+    fails('--frames', 'render', noon, *out, '--sun-elevation', '5:6', '--frames', '1')
+    fails('at most one %d', 'render', noon, '-o', FOLDER / 'x%s.png', *BACKEND, '--sun-elevation', '5:6', '--frames', '2')
+    fails('a scene with a [terrain] section', 'render', noon, *out, '--heightmap', 'jacksboro')
+    fails('there is no such file', 'render', terrain, *out, '--heightmap', 'none.npz')
+    fails('not a readable .npz archive', 'render', terrain, *out, '--heightmap', put('bad.npz', 'no zip'))
+    fails('not a readable PNG', 'render', terrain, *out, '--heightmap', put('bad.png', 'no png'))
+    fails('not a readable EXR', 'render', terrain, *out, '--heightmap', put('bad.exr', 'no exr'))
+    fails('typo.toml:3: camera.altitude: this key', 'render', put('typo.toml', '[camera]\n\naltitude = 5\n'), *out)
+    fails('size.toml:1: size', 'render', put('size.toml', 'size = [-1, 5]\n'), *out)
+    fails('not TOML', 'render', put('broken.toml', '[camera\n'), *out)
+    fails('', 'render', noon, '-o', FOLDER / 'x.png', '--backend', 'vulkan', '--device', 'no such device')
+
+
+def check_probe():
+    header = 'sun_zenith_deg,altitude_km,view_zenith_deg,azimuth_deg'
+    rows = put('in.csv', f'# comment\n{header},L_r_per_sr,note\n30,0.2,10,45,1,x\n85,10,95,0,2,y\n')
+    scene = SCENES / 'truth_earth.toml'
+    probe = ['probe', '--scene', scene, *BACKEND, '--quality', 'low', '-o']
+    works(*probe, FOLDER / 'out.csv', '--directions', rows)
+    lines = [line for line in (FOLDER / 'out.csv').read_text().splitlines() if not line.startswith('#')]
+    expect(lines[0] == header + ',r,g,b' and lines[1].startswith('30,0.2,10,45,') and len(lines) == 3, f'probe wrote {lines}')
+    expect(all(0 < float(x) < 1 for line in lines[1:] for x in line.split(',')[4:]), f'plausible radiances {lines}')
+    for part, text in (('column azimuth_deg is missing', 'sun_zenith_deg,altitude_km,view_zenith_deg\n1,2,3\n'),
+                       ('f.csv:2: azimuth_deg: "nan"', header + '\n1,2,3,nan\n'), ('f.csv:2: 3 cells', header + '\n1,2,3\n'),
+                       ('holds no row', header + '\n'), ('holds no row', ''), ('sun_zenith_deg of row 1: 200', header + '\n200,2,3,4\n')):
+        fails(part, *probe, FOLDER / 'x.csv', '--directions', put('f.csv', text))
+    fails('there is no such file', *probe, FOLDER / 'x.csv', '--directions', 'none.csv')
+    fails('there is no folder', *probe, FOLDER / 'none/x.csv', '--directions', rows)
+    return FOLDER / 'out.csv'
+
+
+def check_score(result):
+    lines = [line.split(',') for line in result.read_text().splitlines() if not line.startswith('#')][1:]
+    columns = 'sun_zenith_deg,altitude_km,view_zenith_deg,azimuth_deg,L_r_per_sr,L_g_per_sr,L_b_per_sr,' \
+              'stderr_r_per_sr,stderr_g_per_sr,stderr_b_per_sr\n'
+    truth = put('truth.csv', columns + ''.join(','.join(line) + ',0,0,0\n' for line in lines))
+    works('score', result, truth, '--json', FOLDER / 'score.json', '--by-altitude', '--by-ray', '--bottom-radius-km', 6360)
+    score = json.loads((FOLDER / 'score.json').read_text())
+    expect([(s['sun_zenith_deg'], s['ray'], s['rows'], s['max']) for s in score] == [(30, 'sky', 1, 0), (85, 'ground', 1, 0)],
+           f'score of a table against itself: {score}')
+    fails('--bottom-radius-km', 'score', result, truth, '--by-ray')
+    fails('column r is missing', 'score', truth, truth)
+
+
+def check_bench_and_devices():
+    out = works('bench', *BACKEND, '--size', '32x16', '--frames', 1, '--json', FOLDER / 'bench.json')
+    bench = json.loads((FOLDER / 'bench.json').read_text())
+    expect([q['quality'] for q in bench['qualities']] == ['low', 'default', 'high', 'published-2020'], 'bench: qualities')
+    expect(all(p['median_ms'] > 0 and p['bytes_written'] > 0 for q in bench['qualities'] for p in q['passes']), 'bench: passes')
+    expect(bench['qualities'][3]['ratio_to_published_2020']['per_frame'] == 1, 'bench: ratio to itself')
+    expect('published-2020' in out and 'per frame' in out, 'bench prints a table')
+    fails('--frames', 'bench', *BACKEND, '--frames', 0)
+    fails('there is no folder', 'bench', *BACKEND, '--json', FOLDER / 'none/x.json')
+    out = works('devices')
+    expect('cpu-double' in out and 'vulkan' in out, f'devices: {out}')
+
+
+def check_help():
+    for command in ([], ['render'], ['probe'], ['score'], ['bench'], ['devices']):
+        out = works(*command, '--help')
+        expect(len(out.splitlines()) > 3, f'help of {command}')
+    fails('ubcommand', )
+    fails('', 'paint')
+
+
+shutil.rmtree(FOLDER, ignore_errors=True)
+FOLDER.mkdir()
+check_help()
+check_render()
+check_render_faults()
+check_score(check_probe())
+check_bench_and_devices()
+print('\n'.join(failures) if failures else 'the command line keeps its word')
+sys.exit(1 if failures else 0)

@@ -1,0 +1,152 @@
+#include "app/frame.h"
+
+#include "app/probe.h"
+#include "io/test_files.h"
+
+#include <aureole/presets.h>
+
+#include <doctest/doctest.h>
+#include <cmath>
+#include <numbers>
+
+using namespace aureole;
+using namespace aureole::app;
+
+namespace {
+
+Scene parse(const std::string& text) { return parse_scene("size = [48, 32]\nquality = \"low\"\n" + text, "t.toml"); }
+
+FrameOptions options_of(const Scene& scene, bool linear) {
+    FrameOptions options;
+    options.width = scene.width;
+    options.height = scene.height;
+    options.linear = linear;
+    return options;
+}
+
+Rgb pixel(const LinearImage& image, std::uint32_t x, std::uint32_t y) {
+    const std::size_t i = 3 * (std::size_t{y} * image.width + x);
+    return {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]};
+}
+
+}  // namespace
+
+TEST_CASE("automatic_exposure: middle grey over the log-average, black left out") {
+    const std::vector<float> pixels{1, 1, 1, 1, 4, 4, 4, 1, 0, 0, 0, 1};
+    CHECK(automatic_exposure(pixels) == doctest::Approx(0.4 / 2));
+    CHECK(automatic_exposure(std::vector<float>(8, 0.0f)) == 1);
+    CHECK(automatic_exposure(std::vector<float>(8, 1e-20f)) == doctest::Approx(0.4e9));
+}
+
+TEST_CASE("downsample: averages of blocks") {
+    const std::vector<float> linear{1, 2, 3, 1, 3, 2, 1, 1, 5, 2, 0, 1, 7, 2, 0, 1};
+    const LinearImage average = downsample(std::span<const float>(linear), 2, 2, 2);
+    CHECK(average.width == 1);
+    CHECK(average.rgb == std::vector<float>{4, 2, 1});
+
+    // 8 bits: sums that are whole stay what they are; others are rounded up and down so that the mean is kept.
+    std::vector<std::uint8_t> display(4 * 16 * 16);
+    for (std::size_t i = 0; i < display.size(); ++i) display[i] = i % 4 == 0 ? 200 : i % 4 == 1 ? (i / 4 % 2 == 0 ? 100 : 101) : 0;
+    const DisplayImage image = downsample(std::span<const std::uint8_t>(display), 16, 16, 2);
+    CHECK(image.width == 8);
+    double green = 0;
+    for (std::size_t i = 0; i < 64; ++i) {
+        CHECK(image.rgb[3 * i] == 200);
+        CHECK(image.rgb[3 * i + 2] == 0);
+        green += image.rgb[3 * i + 1] / 64.0;
+    }
+    CHECK(green == doctest::Approx(100.5));
+    // One sample: untouched.
+    const DisplayImage same = downsample(std::span<const std::uint8_t>(display), 16, 16, 1);
+    CHECK(same.rgb[0] == 200);
+    CHECK(same.rgb[1] == 100);
+    CHECK(same.rgb[4] == 101);
+}
+
+TEST_CASE("a picture's pixels are what a probe of their directions gives") {
+    const Scene scene = parse("sun_disk = false\n[[sun]]\nelevation_deg = 35\nbearing_deg = 40\nirradiance = 2\n[camera]\n"
+                              "altitude_m = 1500\nbearing_deg = 10\nelevation_deg = 5\nvertical_fov_deg = 70\n");
+    const auto backend = open_backend({.name = "cpu"});
+    const Frame frame = FrameRenderer(*backend, scene, nullptr, options_of(scene, true)).render(suns_of(scene));
+    REQUIRE(frame.linear.rgb.size() == 3 * 48 * 32);
+
+    const Camera camera = camera_of(scene, 1500, 48, 32);
+    std::vector<ProbeRow> rows;
+    const std::array<std::pair<std::uint32_t, std::uint32_t>, 4> places{{{3, 2}, {40, 5}, {20, 20}, {30, 30}}};
+    for (const auto& [x, y] : places) {
+        const glm::dvec3 view((2 * (x + 0.5) / 48 - 1) / camera.projection[0][0], (1 - 2 * (y + 0.5) / 32) / camera.projection[1][1], -1);
+        const glm::dvec3 d = glm::normalize(glm::transpose(glm::dmat3(camera.view)) * view);
+        const glm::dvec3 s = direction_of(scene.suns[0].pose);
+        const double degrees = 180 / std::numbers::pi;
+        rows.push_back({55, 1.5, std::acos(d.z) * degrees, (std::atan2(d.y, d.x) - std::atan2(s.y, s.x)) * degrees});
+    }
+    const std::vector<Rgb> probed = probe(*backend, scene.atmosphere, scene.quality, rows);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Rgb shown = pixel(frame.linear, places[i].first, places[i].second);
+        for (int c = 0; c < 3; ++c) {
+            CAPTURE(i);
+            CHECK(shown[c] == doctest::Approx(2 * probed[i][c]).epsilon(1e-3));
+            CHECK(probed[i][c] > 0);
+        }
+    }
+}
+
+TEST_CASE("exposure, stops and automatic exposure") {
+    const auto backend = open_backend({.name = "cpu"});
+    const auto exposure = [&](const std::string& text) {
+        const Scene scene = parse(text + "\n[[sun]]\nelevation_deg = 35\n");
+        return FrameRenderer(*backend, scene, nullptr, options_of(scene, false)).render(suns_of(scene)).exposure;
+    };
+    CHECK(exposure("exposure = 3") == 3);
+    CHECK(exposure("exposure = 3\nexposure_stops = 2") == 12);
+    const double automatic = exposure("");
+    CHECK(automatic > 1);
+    CHECK(automatic < 100);
+    CHECK(exposure("exposure_stops = -1") == doctest::Approx(automatic / 2));
+}
+
+TEST_CASE("probe: altitudes and suns in any order, below the ground as on it") {
+    const auto backend = open_backend({.name = "cpu"});
+    const AtmosphereParameters earth = presets::earth();
+    const QualitySettings low = QualitySettings::low();
+    const std::vector<ProbeRow> rows{{30, 0, 20, 90}, {80, 10, 70, 45}, {30, 0, 60, 0}, {30, -0.01, 20, 90}, {30, 300, 20, 90}};
+    const std::vector<Rgb> radiance = probe(*backend, earth, low, rows);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Rgb alone = probe(*backend, earth, low, {&rows[i], 1}).at(0);
+        for (int c = 0; c < 3; ++c) CHECK(radiance[i][c] == alone[c]);
+    }
+    CHECK(radiance[0].b > 0.01);
+    CHECK(radiance[3].b == radiance[0].b);
+    CHECK(radiance[4] == Rgb(0));  // from space into space
+    CHECK(probe(*backend, earth, low, {}).empty());
+}
+
+TEST_CASE("probe: what is rejected") {
+    const auto backend = open_backend({.name = "cpu"});
+    const auto rejected = [&](const ProbeRow& row) {
+        const std::vector<ProbeRow> rows{{30, 0, 20, 90}, row};
+        return complaint([&] { (void)probe(*backend, presets::earth(), QualitySettings::low(), rows); });
+    };
+    CHECK(rejected({181, 0, 0, 0}) == "sun_zenith_deg of row 2: 181 is not allowed; allowed: in [0, 180]");
+    CHECK(contains(rejected({0, -11, 0, 0}), "altitude_km of row 2: -11"));
+    CHECK(contains(rejected({0, 0, NAN, 0}), "view_zenith_deg of row 2: nan"));
+    CHECK(contains(rejected({0, 0, 0, 400}), "azimuth_deg of row 2: 400"));
+}
+
+TEST_CASE("land: near ground hides the sky, far ground fades towards it") {
+    Scene scene = parse("[[sun]]\nelevation_deg = 40\nbearing_deg = 180\n[camera]\nclearance_m = 30\nelevation_deg = -10\n"
+                        "[terrain]\nheightmap = \"jacksboro\"\nalbedo = 0\n");
+    if (!std::filesystem::exists("/usr/share/matplotlib/mpl-data/sample_data/jacksboro_fault_dem.npz")) return;
+    const Land land(scene, scene.terrain->height_map);
+    CHECK(land.camera_altitude_m() > 236 + 29);
+    const auto backend = open_backend({.name = "cpu"});
+    FrameOptions options = options_of(scene, true);
+    const Frame frame = FrameRenderer(*backend, scene, &land, options).render(suns_of(scene));
+    // Black land: what is left of its pixels is light of the air in front of it, little of it near by.
+    const Rgb near_land = pixel(frame.linear, 24, 31), sky = pixel(frame.linear, 24, 0);
+    CHECK(near_land.b > 0);
+    CHECK(near_land.b < 0.05 * sky.b);
+    scene.camera.clearance_m.reset();
+    scene.camera.altitude_m = 100;
+    CHECK(contains(complaint([&] { Land(scene, scene.terrain->height_map); }), "camera.altitude_m: 100 is not allowed; allowed: at least"));
+}

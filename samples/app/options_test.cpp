@@ -1,0 +1,37 @@
+#include "app/commands.h"
+
+#include "io/test_files.h"
+
+#include <doctest/doctest.h>
+
+using namespace aureole::app;
+
+TEST_CASE("parse_size") {
+    CHECK(parse_size("1280x720").width == 1280);
+    CHECK(parse_size("1x16384").height == 16384);
+    for (const char* bad : {"", "1280", "x720", "1280x", "0x10", "10x0", "16385x1", "-1x5", "5x5x5", "1e3x5", "10 x 10", "99999999999x1"}) {
+        CAPTURE(bad);
+        CHECK(complaint([&] { (void)parse_size(bad); }) ==
+              "--size: \"" + std::string(bad) + "\" is not allowed; allowed: WIDTHxHEIGHT in pixels, each in [1, 16384]");
+    }
+}
+
+TEST_CASE("open_backend: names and reasons") {
+    CHECK(open_backend({.name = "cpu"})->name() == "cpu");
+    CHECK(open_backend({.name = "cpu-double"})->name() == "cpu-double");
+    CHECK(contains(open_backend({.name = "cpu", .threads = 1})->describe(), "1 thread,"));
+    CHECK(contains(complaint([] { (void)open_backend({.name = "metal"}); }), "allowed: auto, vulkan, cpu or cpu-double"));
+    CHECK(complaint([] { (void)open_backend({.name = "vulkan", .device = "no such device"}); }) != "nothing");
+    // Whoever asks for a device by name is not given another backend.
+    CHECK(complaint([] { (void)open_backend({.name = "auto", .device = "no such device"}); }) != "nothing");
+}
+
+TEST_CASE("DeviceTextures: the device's limit is named") {
+    const auto backend = open_backend({.name = "cpu"});
+    DeviceTextures textures(*backend);
+    const std::uint32_t most = backend->device().capabilities().max_texture_2d;
+    CHECK(contains(complaint([&] {
+              (void)textures.create("picture", aureole::rhi::Format::rgba8_unorm, {most + 1, 1, 1}, aureole::rhi::Usage::storage);
+          }),
+                   "picture: size: " + std::to_string(most + 1) + "x1 is not allowed; allowed: at most " + std::to_string(most)));
+}

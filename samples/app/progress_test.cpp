@@ -1,0 +1,34 @@
+#include "app/progress.h"
+
+#include "io/test_files.h"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+
+using namespace aureole::app;
+
+TEST_CASE("progress_line: bar, share, time and estimate") {
+    CHECK(progress_line(0, 4, 0) == "[..............................]  0/4  0%  0 s");
+    // 30 s for one of four steps: 90 s for the other three.
+    CHECK(progress_line(1, 4, 30) == "[#######.......................]  1/4  25%  30 s, about 1 min 30 s left");
+    CHECK(progress_line(4, 4, 7) == "[##############################]  4/4  100%  7 s");
+}
+
+TEST_CASE("print_duration") {
+    CHECK(print_duration(0.4) == "0 s");
+    CHECK(print_duration(59.4) == "59 s");
+    CHECK(print_duration(125) == "2 min 05 s");
+    CHECK(print_duration(3725) == "1 h 02 min");
+}
+
+TEST_CASE("Progress: away from a terminal a line every tenth") {
+    std::FILE* file = std::fopen("progress.txt", "w");
+    REQUIRE(file);
+    Progress progress(50, file, false);
+    for (int i = 0; i < 50; ++i) progress.step();
+    std::fclose(file);
+    const std::string text = get("progress.txt");
+    CHECK(std::count(text.begin(), text.end(), '\n') == 10);
+    CHECK(contains(text, "50/50  100%"));
+    CHECK_FALSE(contains(text, "\r"));
+}

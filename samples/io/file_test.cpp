@@ -1,0 +1,44 @@
+#include "io/file.h"
+
+#include "io/test_files.h"
+
+#include <doctest/doctest.h>
+
+using namespace aureole::app;
+
+TEST_CASE("read_file: what it cannot read it names") {
+    CHECK(complaint([] { (void)read_file("no_such_file"); }) == "no_such_file: there is no such file");
+    CHECK(complaint([] { (void)read_file("."); }) == ".: not a regular file");
+    put("ten_bytes", "0123456789");
+    CHECK(read_text("ten_bytes") == "0123456789");
+    CHECK(read_file("ten_bytes").size() == 10);
+    CHECK(contains(complaint([] { (void)read_file("ten_bytes", 9); }), "10 bytes is not allowed; allowed: at most 9 bytes"));
+}
+
+TEST_CASE("NewFile: complete or not at all") {
+    std::filesystem::remove_all("new_files");
+    std::filesystem::create_directory("new_files");
+    put("new_files/old", "old");
+    {
+        const NewFile file("new_files/old");
+        put(file.temporary().string(), "half of the ne");
+        CHECK(get("new_files/old") == "old");
+    }
+    CHECK(get("new_files/old") == "old");
+    CHECK(files_in("new_files") == 1);
+
+    write_text("new_files/old", "new");
+    CHECK(get("new_files/old") == "new");
+    write_text("new_files/other", "");
+    CHECK(get("new_files/other").empty());
+    CHECK(files_in("new_files") == 2);
+}
+
+TEST_CASE("NewFile: places that take no file") {
+    std::filesystem::remove_all("folder");
+    std::filesystem::create_directory("folder");
+    CHECK(contains(complaint([] { write_text("folder", "x"); }), "is a folder"));
+    CHECK(contains(complaint([] { write_text("folder/", "x"); }), "is a folder"));
+    CHECK(complaint([] { write_text("no_folder/file", "x"); }) == "no_folder/file: cannot be written: there is no folder no_folder");
+    CHECK(files_in("folder") == 0);
+}

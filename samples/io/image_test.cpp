@@ -1,0 +1,109 @@
+#include "io/image.h"
+
+#include "io/test_files.h"
+
+#include <doctest/doctest.h>
+#include <OpenEXR/ImfArray.h>
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <png.h>
+
+using namespace aureole::app;
+
+namespace {
+
+/// A greyscale PNG of 3 x 2 pixels, written by libpng itself.
+template <class T>
+void put_grey(const char* name, const std::vector<T>& pixels, png_uint_32 format) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = 3;
+    image.height = 2;
+    image.format = format;
+    REQUIRE(png_image_write_to_file(&image, name, 0, pixels.data(), 0, nullptr));
+}
+
+void put_exr(const char* name, std::initializer_list<const char*> channels, const std::vector<float>& values) {
+    Imf::Header header(3, 2);
+    Imf::FrameBuffer buffer;
+    for (const char* channel : channels) {
+        header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+        buffer.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(const_cast<float*>(values.data())), 4, 12));
+    }
+    Imf::OutputFile file(name, header);
+    file.setFrameBuffer(buffer);
+    file.writePixels(2);
+}
+
+}  // namespace
+
+TEST_CASE("write_png: pixels come back") {
+    const DisplayImage image{2, 2, {255, 0, 0, 0, 255, 0, 0, 0, 255, 1, 2, 3}};
+    write_png("rgb.png", image);
+    png_image read{};
+    read.version = PNG_IMAGE_VERSION;
+    REQUIRE(png_image_begin_read_from_file(&read, "rgb.png"));
+    read.format = PNG_FORMAT_RGB;
+    std::vector<std::uint8_t> pixels(12);
+    REQUIRE(png_image_finish_read(&read, nullptr, pixels.data(), 0, nullptr));
+    CHECK(read.width == 2);
+    CHECK(pixels == image.rgb);
+    CHECK(contains(complaint([&] { write_png("no_folder/rgb.png", image); }), "there is no folder no_folder"));
+}
+
+TEST_CASE("write_exr: floats come back to the bit") {
+    const LinearImage image{2, 1, {1e-9f, 2, 3e9f, 4, 5, 0.1f}};
+    write_exr("rgb.exr", image);
+    Imf::InputFile file("rgb.exr");
+    std::vector<float> green(2);
+    Imf::FrameBuffer buffer;
+    buffer.insert("G", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(green.data()), 4, 8));
+    file.setFrameBuffer(buffer);
+    file.readPixels(0);
+    CHECK(green == std::vector<float>{2, 5});
+    CHECK(contains(complaint([&] { write_exr("no_folder/rgb.exr", image); }), "there is no folder no_folder"));
+}
+
+TEST_CASE("read_png_grey: 8 and 16 bits") {
+    put_grey<std::uint16_t>("grey16.png", {0, 1, 2, 3, 256, 65535}, PNG_FORMAT_LINEAR_Y);
+    const GreyImage image = read_png_grey("grey16.png");
+    CHECK(image.width == 3);
+    CHECK(image.height == 2);
+    CHECK(image.values == std::vector<float>{0, 1, 2, 3, 256, 65535});
+    put_grey<std::uint8_t>("grey8.png", {0, 1, 2, 3, 4, 255}, PNG_FORMAT_GRAY);
+    CHECK(read_png_grey("grey8.png").values == std::vector<float>{0, 1, 2, 3, 4, 255});
+}
+
+TEST_CASE("read_png_grey: what it rejects") {
+    write_png("colour.png", {1, 1, {1, 2, 3}});
+    CHECK(contains(complaint([] { (void)read_png_grey("colour.png"); }), "allowed: greyscale with 8 or 16 bits"));
+    CHECK(contains(complaint([] { (void)read_png_grey("missing.png"); }), "there is no such file"));
+    CHECK(contains(complaint([] { (void)read_png_grey(put("text.png", "hello, this is no picture")); }), "not a readable PNG"));
+    put_grey<std::uint16_t>("whole.png", {0, 1, 2, 3, 256, 65535}, PNG_FORMAT_LINEAR_Y);
+    const std::string whole = get("whole.png");
+    for (std::size_t length = 0; length < whole.size(); ++length) {
+        CAPTURE(length);
+        CHECK(contains(complaint([&] { (void)read_png_grey(put("cut.png", whole.substr(0, length))); }), "not a readable PNG"));
+    }
+}
+
+TEST_CASE("read_exr_grey") {
+    const std::vector<float> values{0, 1, 2, 3, -4, 1e6f};
+    put_exr("y.exr", {"Y"}, values);
+    CHECK(read_exr_grey("y.exr").values == values);
+    CHECK(read_exr_grey("y.exr").width == 3);
+    put_exr("height.exr", {"height"}, values);
+    CHECK(read_exr_grey("height.exr").values == values);
+    put_exr("two.exr", {"a", "b"}, values);
+    CHECK(contains(complaint([] { (void)read_exr_grey("two.exr"); }), "a, b is not allowed; allowed: Y, R, or a single channel"));
+    CHECK(contains(complaint([] { (void)read_exr_grey("missing.exr"); }), "there is no such file"));
+    CHECK(contains(complaint([] { (void)read_exr_grey(put("text.exr", "hello")); }), "not a readable EXR"));
+    const std::string whole = get("y.exr");
+    for (const std::size_t length : {whole.size() / 4, whole.size() / 2, whole.size() - 1}) {
+        CAPTURE(length);
+        CHECK(contains(complaint([&] { (void)read_exr_grey(put("cut.exr", whole.substr(0, length))); }), "not a readable EXR"));
+    }
+}

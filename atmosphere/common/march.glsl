@@ -106,9 +106,10 @@ RayLight march(Ray ray) {
     real cut3 = max(lowest, shadow.y);
     real shortest = real(1e-7) * ray.end;
     real begin = real(0);
-    // Most rays are one piece. The condition stands at the end, because a vectorizing driver leaves a loop only there, and
-    // would otherwise run an empty round.
-    do {
+    // Most rays are one piece, and a vectorizing driver leaves a loop only at its end: a test at the start alone would cost an
+    // empty round. Rays leave this loop at different rounds, so it keeps a second exit: where such a loop has one exit only, at
+    // its end, llvmpipe 22.3 lets the rays that left early take over sums of the rays that stayed.
+    for (int piece = 0; piece < 4; ++piece) {
         real end = ray.end;
         if (cut3 > begin + shortest) end = cut3;
         if (cut2 > begin + shortest) end = cut2;
@@ -118,7 +119,8 @@ RayLight march(Ray ray) {
         if (MULTIPLE_SCATTERING || lit) march_piece(ray, begin, end, middle < lowest, lit, light);
         else light.depth += dark_depth(ray, begin, end, middle >= lowest);
         begin = end;
-    } while (begin < ray.end - shortest);
+        if (begin >= ray.end - shortest) break;
+    }
     return light;
 }
 

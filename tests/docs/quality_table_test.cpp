@@ -1,0 +1,81 @@
+// The table of settings in atmosphere/quality/quality.md says what the settings are.
+#include <aureole/quality.h>
+
+#include <doctest/doctest.h>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace aureole;
+
+namespace {
+
+std::string print(const rhi::Extent& e) {
+    const std::string plane = std::to_string(e.width) + "x" + std::to_string(e.height);
+    return e.depth > 1 ? plane + "x" + std::to_string(e.depth) : plane;
+}
+
+/// Knob by name, as the header names it.
+std::map<std::string, std::string> knobs(const QualitySettings& s) {
+    return {{"transmittance", print(s.transmittance)},
+            {"transmittance_nodes", std::to_string(s.transmittance_nodes)},
+            {"multi_scatter", print(s.multi_scatter)},
+            {"angular_order", std::to_string(s.angular_order)},
+            {"multi_scatter_zenith", std::to_string(s.multi_scatter_zenith)},
+            {"multi_scatter_azimuth", std::to_string(s.multi_scatter_azimuth)},
+            {"multi_scatter_nodes", std::to_string(s.multi_scatter_nodes)},
+            {"multi_scatter_orders", std::to_string(s.multi_scatter_orders)},
+            {"sky_view", print(s.sky_view)},
+            {"sky_view_nodes", std::to_string(s.sky_view_nodes)},
+            {"sky_view_space_nodes", std::to_string(s.sky_view_space_nodes)},
+            {"aerial_perspective", print(s.aerial_perspective)},
+            {"aerial_perspective_nodes", std::to_string(s.aerial_perspective_nodes)},
+            {"table_format", rhi::to_string(s.table_format)},
+            {"froxel_format", rhi::to_string(s.froxel_format)}};
+}
+
+std::vector<std::string> cells(const std::string& line) {
+    std::vector<std::string> result;
+    std::istringstream in(line.substr(1));
+    for (std::string cell; std::getline(in, cell, '|');) {
+        std::erase_if(cell, [](char c) { return c == ' ' || c == '`'; });
+        result.push_back(cell);
+    }
+    return result;
+}
+
+/// Rows of the table that starts with "| Knob | low", by their first cell; "Knob" holds the settings' names.
+std::map<std::string, std::vector<std::string>> table() {
+    std::ifstream page(AUREOLE_QUALITY_PAGE);
+    std::map<std::string, std::vector<std::string>> rows;
+    for (std::string line; std::getline(page, line);) {
+        if (rows.empty() && !line.starts_with("| Knob | low")) continue;
+        if (!line.starts_with("|")) break;
+        std::vector<std::string> row = cells(line);
+        const std::string name = row.front();
+        row.erase(row.begin());
+        if (!name.starts_with("---")) rows[name] = row;
+    }
+    return rows;
+}
+
+}  // namespace
+
+TEST_CASE("quality.md: every knob of every setting") {
+    auto rows = table();
+    const std::vector<std::string> settings = rows["Knob"];
+    REQUIRE(settings == std::vector<std::string>{"low", "default", "high", "published-2020"});
+    rows.erase("Knob");
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        CAPTURE(settings[i]);
+        const auto expected = knobs(QualitySettings::by_name(settings[i]));
+        CHECK(rows.size() == expected.size());
+        for (const auto& [name, value] : expected) {
+            CAPTURE(name);
+            REQUIRE(rows.count(name) == 1);
+            CHECK(rows[name].at(i) == value);
+        }
+    }
+}

@@ -1,5 +1,5 @@
 // Fills the transmittance table with Gauss-Legendre quadrature: t = D u^2 puts the nodes where the air is dense, so ten nodes
-// do better than forty uniform steps (docs: quadrature). See transmittance.glsl for what is stored.
+// do better than forty uniform steps (docs/quadrature.md). See transmittance.glsl for what is stored.
 #include "common/constants.glsl"
 #include "common/specialization.glsl"
 #include "common/blocks.glsl"

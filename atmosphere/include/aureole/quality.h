@@ -11,7 +11,7 @@ namespace aureole {
 
 /// Which sampling the kernels use.
 enum class Sampling : std::uint8_t {
-    gauss,           ///< Ours: Gauss-Legendre nodes on the sunlit part of each ray (docs: quadrature).
+    gauss,           ///< Ours: Gauss-Legendre nodes on the sunlit part of each ray (docs/quadrature.md).
     published_2020,  ///< Hillaire, EGSR 2020: uniform steps, mean-only multiple scattering; for comparison.
 };
 

@@ -1,7 +1,7 @@
 // Light gathered along a ray: the integral of what the air scatters towards the camera, times the transmittance back to it.
 //
 // Along a piece of the ray on which the integrand is smooth, N Gauss-Legendre nodes in u with t = D u^2 converge exponentially:
-// eight beat sixty-four uniform steps a hundred times (docs/quadrature.md). So the ray is cut where the integrand is not smooth:
+// eight beat sixty-four uniform steps a hundred times (docs/quadrature.md). So the ray is cut where it is not smooth:
 // where it enters or leaves the planet's shadow (single scattering only lives on the sunlit pieces), and at its lowest point;
 // each piece has its dense end where the air is dense. The transmittance from the camera comes from the same nodes: density at
 // the nodes, multiplied by the matrix of running integrals of the interpolating polynomial, is the optical depth at the nodes.

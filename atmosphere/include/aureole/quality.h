@@ -36,14 +36,16 @@ struct QualitySettings {
     rhi::Extent aerial_perspective{32, 32, 32};  ///< Screen x screen x slices. Each in [2, 256].
     int aerial_perspective_nodes = 1;            ///< Slabs of constant air a slice, in [1, 8].
 
-    rhi::Format table_format = rhi::Format::rgba32_float;   ///< Transmittance and sky-view: rgba16_ or rgba32_float. (Moments are always rgba32_float.)
+    /// Transmittance and sky-view: rgba16_ or rgba32_float. (Moments are rgba32_float, or half where a device cannot filter
+    /// that.)
+    rhi::Format table_format = rhi::Format::rgba32_float;
     rhi::Format froxel_format = rhi::Format::rgba16_float;  ///< Aerial perspective: rgba16_ or rgba32_float.
 
     [[nodiscard]] static QualitySettings low();
     [[nodiscard]] static QualitySettings standard();  ///< "default"
     [[nodiscard]] static QualitySettings high();
-    /// Transmittance 256x64 with 40 steps; multi-scatter 32x32, 64 directions x 20 steps; sky-view 200x100 with 30 uniform steps;
-    /// froxels 32^3, each marched from the camera. Hillaire, EGSR 2020.
+    /// Transmittance 256x64 with 40 steps; multi-scatter 32x32, 64 directions x 20 steps; sky-view 200x100 with 30 uniform
+    /// steps; froxels 32^3, each marched from the camera. Hillaire, EGSR 2020.
     [[nodiscard]] static QualitySettings published_2020();
     /// "low", "default", "high" or "published-2020"; anything else throws Error naming the four.
     [[nodiscard]] static QualitySettings by_name(std::string_view name);

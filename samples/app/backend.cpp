@@ -96,7 +96,8 @@ void Backend::run(const std::function<void(rhi::CommandList&)>& record) {
 
 void Backend::check() const {
     if (errors_.empty()) return;
-    throw Error(ErrorCode::internal, "the device reported " + std::to_string(errors_.size()) + " errors, first: " + errors_.front());
+    throw Error(ErrorCode::internal,
+                "the device reported " + std::to_string(errors_.size()) + " errors, first: " + errors_.front());
 }
 
 DeviceTextures::~DeviceTextures() {
@@ -122,8 +123,7 @@ void DeviceTextures::make_ready(rhi::Texture texture, rhi::State state) {
 
 void DeviceTextures::upload(rhi::Texture texture, std::span<const std::byte> texels, rhi::State before, rhi::State state) {
     rhi::Device& device = backend_.device();
-    const rhi::Buffer buffer =
-        device.create_buffer({"upload", texels.size(), rhi::Usage::upload | rhi::Usage::copy_source});
+    const rhi::Buffer buffer = device.create_buffer({"upload", texels.size(), rhi::Usage::upload | rhi::Usage::copy_source});
     device.write_buffer(buffer, texels);
     backend_.run([&](rhi::CommandList& commands) {
         const rhi::TextureBarrier writable{texture, before, rhi::State::copy_destination};

@@ -18,8 +18,8 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr double camera_altitude_m = 500;
 constexpr std::array<const char*, 4> qualities{"low", "default", "high", "published-2020"};
-constexpr std::array<const char*, 7> pass_names{"transmittance",      "multi_scatter", "sky_view",          "aerial_perspective",
-                                                "light",              "composite",     "composite_geometry"};
+constexpr std::array<const char*, 7> pass_names{"transmittance", "multi_scatter", "sky_view",          "aerial_perspective",
+                                                "light",         "composite",     "composite_geometry"};
 
 CompositeSettings display_settings(bool raster, bool geometry) {
     CompositeSettings settings;
@@ -44,7 +44,8 @@ struct Textures {
         const rhi::Usage written = options.raster ? rhi::Usage::color_attachment : rhi::Usage::storage;
         state = options.raster ? rhi::State::color_attachment : rhi::State::storage_write;
         plain.extent = geometry.extent = extent;
-        plain.target = geometry.target = own.create("picture", rhi::Format::rgba8_unorm, extent, written | rhi::Usage::copy_source);
+        plain.target = geometry.target =
+            own.create("picture", rhi::Format::rgba8_unorm, extent, written | rhi::Usage::copy_source);
         own.make_ready(plain.target, state);
 
         constexpr rhi::Usage given = rhi::Usage::sampled | rhi::Usage::copy_destination;
@@ -160,8 +161,10 @@ private:
         double air = 0, view = 0;
         for (const PassTime& time : times) {
             samples_[time.name].push_back(time.milliseconds);
-            if (time.name == "transmittance" || time.name == "multi_scatter") air += time.milliseconds;
-            else if (!time.name.starts_with("composite")) view += time.milliseconds;
+            if (time.name == "transmittance" || time.name == "multi_scatter")
+                air += time.milliseconds;
+            else if (!time.name.starts_with("composite"))
+                view += time.milliseconds;
         }
         per_frame_.push_back(view);
         rebuild_.push_back(air + view);
@@ -201,12 +204,11 @@ const BenchPass& BenchResult::pass(std::string_view name) const {
 std::vector<BenchResult> bench(Backend& backend, const BenchOptions& options, const std::function<void()>& after_round) {
     if (!if_supported(backend, air_slots).enabled)
         throw Error(ErrorCode::unsupported, "bench: " + backend.describe() + " has no clock that passes can be timed with");
-    constexpr std::uint32_t warm_up = 2;
     const Textures textures(backend, options);
     std::vector<std::unique_ptr<Subject>> subjects;
     for (const char* quality : qualities) subjects.push_back(std::make_unique<Subject>(backend, options, textures, quality));
-    for (std::uint32_t round = 0; round < options.frames + warm_up; ++round) {
-        for (const auto& subject : subjects) subject->run(round, round >= warm_up);
+    for (std::uint32_t round = 0; round < options.frames + options.warm_up; ++round) {
+        for (const auto& subject : subjects) subject->run(round, round >= options.warm_up);
         after_round();
     }
     backend.check();

@@ -15,7 +15,8 @@ namespace aureole::app {
 
 struct BenchOptions {
     std::uint32_t width = 1280, height = 720;
-    std::uint32_t frames = 20;  ///< Measured rounds; two more come first and are thrown away.
+    std::uint32_t frames = 20;  ///< Measured rounds.
+    std::uint32_t warm_up = 2;  ///< Rounds before them that are thrown away.
     bool raster = false;
     bool counts = true;  ///< Also count the passes' work, with a run on the CPU backend.
 };
@@ -36,8 +37,8 @@ struct BenchPass {
 struct BenchResult {
     std::string quality;
     std::vector<BenchPass> passes;
-    Spread per_frame;  ///< sky_view + aerial_perspective + light.
-    Spread rebuild;    ///< transmittance + multi_scatter + per_frame.
+    Spread per_frame;               ///< sky_view + aerial_perspective + light.
+    Spread rebuild;                 ///< transmittance + multi_scatter + per_frame.
     std::uint64_t table_bytes = 0;  ///< Device memory of all tables of one planet and one view.
 
     [[nodiscard]] const BenchPass& pass(std::string_view name) const;

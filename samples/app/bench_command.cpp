@@ -3,10 +3,10 @@
 #include "app/progress.h"
 #include "io/file.h"
 
+#include <unistd.h>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 namespace aureole::app {
 namespace {
@@ -22,7 +22,8 @@ double ratio(double a, double b) { return b > 0 ? a / b : 0; }
 
 void print_result(const BenchResult& result) {
     std::printf("\n%s: tables of %.2f MiB\n", result.quality.c_str(), static_cast<double>(result.table_bytes) / (1 << 20));
-    std::printf("  %-20s %10s %21s %12s %12s %12s\n", "pass", "median_ms", "p10_ms .. p90_ms", "evaluations", "look-ups", "bytes");
+    std::printf("  %-20s %10s %21s %12s %12s %12s\n", "pass", "median_ms", "p10_ms .. p90_ms", "evaluations", "look-ups",
+                "bytes");
     const auto line = [](const char* name, const Spread& s) {
         std::printf("  %-20s %10.3f %9.3f .. %8.3f", name, s.median, s.p10, s.p90);
     };
@@ -40,14 +41,15 @@ void print_result(const BenchResult& result) {
 
 void print_ratios(const std::vector<BenchResult>& results) {
     const BenchResult& published = results.back();
-    std::printf("\ncost relative to published-2020:\n  %-16s %10s %12s %10s %20s\n", "", "per frame", "full rebuild", "composite",
-                "composite, geometry");
+    std::printf("\ncost relative to published-2020:\n  %-16s %10s %12s %10s %20s\n", "", "per frame", "full rebuild",
+                "composite", "composite, geometry");
     for (const BenchResult& r : results) {
         const auto pass = [&](const char* name) {
             return ratio(r.pass(name).milliseconds.median, published.pass(name).milliseconds.median);
         };
-        std::printf("  %-16s %10.3f %12.3f %10.3f %20.3f\n", r.quality.c_str(), ratio(r.per_frame.median, published.per_frame.median),
-                    ratio(r.rebuild.median, published.rebuild.median), pass("composite"), pass("composite_geometry"));
+        std::printf("  %-16s %10.3f %12.3f %10.3f %20.3f\n", r.quality.c_str(),
+                    ratio(r.per_frame.median, published.per_frame.median), ratio(r.rebuild.median, published.rebuild.median),
+                    pass("composite"), pass("composite_geometry"));
     }
 }
 
@@ -80,12 +82,14 @@ void run_bench(const BenchCommand& command) {
     const Size size = parse_size(command.size);
     options.width = size.width;
     options.height = size.height;
-    if (!command.json.empty()) { const NewFile writable(command.json); }
+    if (!command.json.empty()) {
+        const NewFile writable(command.json);
+    }
     const std::unique_ptr<Backend> backend = open_backend(command.backend);
     std::printf("%s, %ux%u, %u rounds\n", backend->describe().c_str(), options.width, options.height, options.frames);
     std::fflush(stdout);
 
-    Progress progress(options.frames + 2, stderr, isatty(STDERR_FILENO) == 1);
+    Progress progress(options.frames + options.warm_up, stderr, isatty(STDERR_FILENO) == 1);
     const std::vector<BenchResult> results = bench(*backend, options, [&] { progress.step(); });
     for (const BenchResult& result : results) print_result(result);
     print_ratios(results);
@@ -93,7 +97,7 @@ void run_bench(const BenchCommand& command) {
 
     const rhi::Capabilities& c = backend->device().capabilities();
     nlohmann::json out{{"backend", backend->name()}, {"device", c.device},      {"driver", c.driver},
-                       {"threads", c.threads},       {"width", options.width}, {"height", options.height},
+                       {"threads", c.threads},       {"width", options.width},  {"height", options.height},
                        {"rounds", options.frames},   {"raster", options.raster}};
     for (const BenchResult& result : results) out["qualities"].push_back(to_json(result, results.back()));
     write_text(command.json, out.dump(2) + "\n");
@@ -104,8 +108,9 @@ void run_bench(const BenchCommand& command) {
 void add_bench_command(CLI::App& program) {
     auto options = std::make_shared<BenchCommand>();
     CLI::App* command = program.add_subcommand(
-        "bench", "What each pass costs in ms, for every quality setting, measured in turn in one run; with counts of work, memory "
-                 "of the tables in MiB, and costs relative to published-2020");
+        "bench",
+        "What each pass costs in ms, for every quality setting, measured in turn in one run; with counts of work, memory "
+        "of the tables in MiB, and costs relative to published-2020");
     add_backend_options(*command, options->backend);
     command->add_option("--size", options->size, "WIDTHxHEIGHT of the composite, in pixels")->default_str("1280x720");
     command->add_option("--frames", options->options.frames, "Rounds to measure, 1 to 100000; two more are thrown away")

@@ -13,15 +13,18 @@ namespace {
 void print_vulkan() {
 #ifdef AUREOLE_HAS_VULKAN
     const vulkan::VulkanDeviceList list = vulkan::list_vulkan_devices();
-    if (!list.problem.empty()) std::printf("vulkan      cannot run: %s\n", list.problem.c_str());
-    else if (list.devices.empty()) std::printf("vulkan      cannot run: the Vulkan loader finds no device\n");
+    if (!list.problem.empty())
+        std::printf("vulkan      cannot run: %s\n", list.problem.c_str());
+    else if (list.devices.empty())
+        std::printf("vulkan      cannot run: the Vulkan loader finds no device\n");
     for (const vulkan::VulkanDeviceInfo& d : list.devices) {
         std::printf("vulkan      %s\n", d.name.c_str());
         std::printf("            device %u, type %s, Vulkan %s, driver %s\n", d.index, d.type.c_str(), d.api_version.c_str(),
                     d.driver.c_str());
         std::printf("            %s\n", d.problem.empty() ? "can run" : ("cannot run: " + d.problem).c_str());
     }
-    std::printf("            validation layer: %s\n", list.validation_available ? "installed" : "not installed (--validation cannot run)");
+    std::printf("            validation layer: %s\n",
+                list.validation_available ? "installed" : "not installed (--validation cannot run)");
 #else
     std::printf("vulkan      cannot run: this program was built without the Vulkan backend (AUREOLE_BUILD_VULKAN)\n");
 #endif

@@ -141,8 +141,9 @@ Frame FrameRenderer::render(const std::vector<Sun>& suns, std::uint64_t number) 
     backend_.check();
 
     if (options_.linear)
-        frame.linear = downsample(std::span<const float>(target.textures.read_floats(target.targets.target, 4 * target.pixels(), target.state)),
-                                  width, height, options_.samples);
+        frame.linear = downsample(
+            std::span<const float>(target.textures.read_floats(target.targets.target, 4 * target.pixels(), target.state)),
+            width, height, options_.samples);
     else
         frame.display = downsample(
             std::span<const std::uint8_t>(target.textures.read_bytes(target.targets.target, 4 * target.pixels(), target.state)),

@@ -15,8 +15,8 @@ namespace aureole::app {
 
 struct FrameOptions {
     std::uint32_t width = 1280, height = 720;
-    bool linear = false;    ///< Scene-linear floats (for EXR), not what a display takes.
-    bool raster = false;    ///< Composite with a full-screen draw instead of compute.
+    bool linear = false;        ///< Scene-linear floats (for EXR), not what a display takes.
+    bool raster = false;        ///< Composite with a full-screen draw instead of compute.
     std::uint32_t samples = 1;  ///< Pixels are averages of samples by samples, in [1, 4].
 };
 

@@ -6,6 +6,7 @@
 #include <aureole/presets.h>
 
 #include <doctest/doctest.h>
+#include <png.h>
 #include <cmath>
 #include <numbers>
 
@@ -46,7 +47,8 @@ TEST_CASE("downsample: averages of blocks") {
 
     // 8 bits: sums that are whole stay what they are; others are rounded up and down so that the mean is kept.
     std::vector<std::uint8_t> display(4 * 16 * 16);
-    for (std::size_t i = 0; i < display.size(); ++i) display[i] = i % 4 == 0 ? 200 : i % 4 == 1 ? (i / 4 % 2 == 0 ? 100 : 101) : 0;
+    for (std::size_t i = 0; i < display.size(); ++i)
+        display[i] = i % 4 == 0 ? 200 : i % 4 == 1 ? (i / 4 % 2 == 0 ? 100 : 101) : 0;
     const DisplayImage image = downsample(std::span<const std::uint8_t>(display), 16, 16, 2);
     CHECK(image.width == 8);
     double green = 0;
@@ -64,8 +66,9 @@ TEST_CASE("downsample: averages of blocks") {
 }
 
 TEST_CASE("a picture's pixels are what a probe of their directions gives") {
-    const Scene scene = parse("sun_disk = false\n[[sun]]\nelevation_deg = 35\nbearing_deg = 40\nirradiance = 2\n[camera]\n"
-                              "altitude_m = 1500\nbearing_deg = 10\nelevation_deg = 5\nvertical_fov_deg = 70\n");
+    const Scene scene = parse(
+        "sun_disk = false\n[[sun]]\nelevation_deg = 35\nbearing_deg = 40\nirradiance = 2\n[camera]\n"
+        "altitude_m = 1500\nbearing_deg = 10\nelevation_deg = 5\nvertical_fov_deg = 70\n");
     const auto backend = open_backend({.name = "cpu"});
     const Frame frame = FrameRenderer(*backend, scene, nullptr, options_of(scene, true)).render(suns_of(scene));
     REQUIRE(frame.linear.rgb.size() == 3 * 48 * 32);
@@ -74,7 +77,8 @@ TEST_CASE("a picture's pixels are what a probe of their directions gives") {
     std::vector<ProbeRow> rows;
     const std::array<std::pair<std::uint32_t, std::uint32_t>, 4> places{{{3, 2}, {40, 5}, {20, 20}, {30, 30}}};
     for (const auto& [x, y] : places) {
-        const glm::dvec3 view((2 * (x + 0.5) / 48 - 1) / camera.projection[0][0], (1 - 2 * (y + 0.5) / 32) / camera.projection[1][1], -1);
+        const glm::dvec3 view((2 * (x + 0.5) / 48 - 1) / camera.projection[0][0],
+                              (1 - 2 * (y + 0.5) / 32) / camera.projection[1][1], -1);
         const glm::dvec3 d = glm::normalize(glm::transpose(glm::dmat3(camera.view)) * view);
         const glm::dvec3 s = direction_of(scene.suns[0].pose);
         const double degrees = 180 / std::numbers::pi;
@@ -133,20 +137,34 @@ TEST_CASE("probe: what is rejected") {
     CHECK(contains(rejected({0, 0, 0, 400}), "azimuth_deg of row 2: 400"));
 }
 
-TEST_CASE("land: near ground hides the sky, far ground fades towards it") {
-    Scene scene = parse("[[sun]]\nelevation_deg = 40\nbearing_deg = 180\n[camera]\nclearance_m = 30\nelevation_deg = -10\n"
-                        "[terrain]\nheightmap = \"jacksboro\"\nalbedo = 0\n");
-    if (!std::filesystem::exists("/usr/share/matplotlib/mpl-data/sample_data/jacksboro_fault_dem.npz")) return;
+TEST_CASE("land: near ground hides the sky, and the air in front of far ground shines") {
+    // Level land at 100 m in a 16-bit map, seen from 30 m above it; black, so that only the air in front of it is bright.
+    const std::vector<std::uint16_t> heights(20 * 20, 1000);
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = image.height = 20;
+    image.format = PNG_FORMAT_LINEAR_Y;
+    REQUIRE(png_image_write_to_file(&image, "level.png", 0, heights.data(), 0, nullptr));
+    Scene scene = parse(
+        "[[sun]]\nelevation_deg = 40\nbearing_deg = 180\n[camera]\nclearance_m = 30\nelevation_deg = 0\n"
+        "[terrain]\nheightmap = \"level.png\"\nspacing_m = 100\nmeters_per_unit = 0.1\nalbedo = 0\n");
     const Land land(scene, scene.terrain->height_map);
-    CHECK(land.camera_altitude_m() > 236 + 29);
+    CHECK(land.camera_altitude_m() == doctest::Approx(130));
     const auto backend = open_backend({.name = "cpu"});
-    FrameOptions options = options_of(scene, true);
-    const Frame frame = FrameRenderer(*backend, scene, &land, options).render(suns_of(scene));
-    // Black land: what is left of its pixels is light of the air in front of it, little of it near by.
-    const Rgb near_land = pixel(frame.linear, 24, 31), sky = pixel(frame.linear, 24, 0);
+    const Frame frame = FrameRenderer(*backend, scene, &land, options_of(scene, true)).render(suns_of(scene));
+    const Rgb near_land = pixel(frame.linear, 24, 31), far_land = pixel(frame.linear, 24, 16), sky = pixel(frame.linear, 24, 0);
     CHECK(near_land.b > 0);
-    CHECK(near_land.b < 0.05 * sky.b);
+    CHECK(near_land.b < 0.05 * sky.b);    // 30 m / sin(29 degrees): 60 m of air
+    CHECK(far_land.b > 3 * near_land.b);  // 30 m / sin(1 degree): 1.7 km
+
+    // White land in the sun is brighter than black land by albedo / pi times its irradiance, about 0.6 + sky.
+    scene.terrain->albedo = Rgb(1);
+    const Land white(scene, scene.terrain->height_map);
+    const Frame bright = FrameRenderer(*backend, scene, &white, options_of(scene, true)).render(suns_of(scene));
+    CHECK(pixel(bright.linear, 24, 31).g == doctest::Approx(0.62 / std::numbers::pi).epsilon(0.2));
+
     scene.camera.clearance_m.reset();
-    scene.camera.altitude_m = 100;
-    CHECK(contains(complaint([&] { Land(scene, scene.terrain->height_map); }), "camera.altitude_m: 100 is not allowed; allowed: at least"));
+    scene.camera.altitude_m = 99;
+    CHECK(complaint([&] { Land(scene, scene.terrain->height_map); }) ==
+          "camera.altitude_m: 99 is not allowed; allowed: at least 100, the height of the land there");
 }

@@ -4,10 +4,10 @@
 #include <aureole/rhi/error.h>
 #include <aureole/rhi/log.h>
 
-#include <cstdio>
-#include <new>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
+#include <cstdio>
+#include <new>
 
 namespace {
 
@@ -34,7 +34,8 @@ int main(int argc, char** argv) {
         "Exit code: 0, or 2 with one line on stderr. Files appear complete or not at all.\n"
         "Run `aureole COMMAND --help` for a command's options.");
     program.require_subcommand(1);
-    program.add_flag_callback("--verbose", [] { spdlog::set_level(spdlog::level::debug); }, "Show the library's own messages");
+    program.add_flag_callback(
+        "--verbose", [] { spdlog::set_level(spdlog::level::debug); }, "Show the library's own messages");
     aureole::app::add_render_command(program);
     aureole::app::add_probe_command(program);
     aureole::app::add_score_command(program);

@@ -28,7 +28,8 @@ Size parse_size(const std::string& text) {
     const char* end = text.data() + text.size();
     const auto width = std::from_chars(text.data(), end, size.width);
     const bool cross = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
-    const auto height = cross ? std::from_chars(width.ptr + 1, end, size.height) : std::from_chars_result{text.data(), std::errc::invalid_argument};
+    const auto height = cross ? std::from_chars(width.ptr + 1, end, size.height)
+                              : std::from_chars_result{text.data(), std::errc::invalid_argument};
     const auto inside = [](std::uint32_t n) { return n >= 1 && n <= 16384; };
     if (height.ec != std::errc() || height.ptr != end || !inside(size.width) || !inside(size.height))
         throw Error(ErrorCode::invalid_argument, "--size", "\"" + text + "\"", "WIDTHxHEIGHT in pixels, each in [1, 16384]");

@@ -9,7 +9,8 @@ using namespace aureole::app;
 TEST_CASE("parse_size") {
     CHECK(parse_size("1280x720").width == 1280);
     CHECK(parse_size("1x16384").height == 16384);
-    for (const char* bad : {"", "1280", "x720", "1280x", "0x10", "10x0", "16385x1", "-1x5", "5x5x5", "1e3x5", "10 x 10", "99999999999x1"}) {
+    for (const char* bad :
+         {"", "1280", "x720", "1280x", "0x10", "10x0", "16385x1", "-1x5", "5x5x5", "1e3x5", "10 x 10", "99999999999x1"}) {
         CAPTURE(bad);
         CHECK(complaint([&] { (void)parse_size(bad); }) ==
               "--size: \"" + std::string(bad) + "\" is not allowed; allowed: WIDTHxHEIGHT in pixels, each in [1, 16384]");
@@ -30,8 +31,9 @@ TEST_CASE("DeviceTextures: the device's limit is named") {
     const auto backend = open_backend({.name = "cpu"});
     DeviceTextures textures(*backend);
     const std::uint32_t most = backend->device().capabilities().max_texture_2d;
-    CHECK(contains(complaint([&] {
-              (void)textures.create("picture", aureole::rhi::Format::rgba8_unorm, {most + 1, 1, 1}, aureole::rhi::Usage::storage);
-          }),
-                   "picture: size: " + std::to_string(most + 1) + "x1 is not allowed; allowed: at most " + std::to_string(most)));
+    CHECK(contains(
+        complaint([&] {
+            (void)textures.create("picture", aureole::rhi::Format::rgba8_unorm, {most + 1, 1, 1}, aureole::rhi::Usage::storage);
+        }),
+        "picture: size: " + std::to_string(most + 1) + "x1 is not allowed; allowed: at most " + std::to_string(most)));
 }

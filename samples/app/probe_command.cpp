@@ -33,8 +33,7 @@ std::string print_rows(const std::string& comment, std::span<const ProbeRow> row
         const ProbeRow& row = rows[i];
         for (const double value : {row.sun_zenith_deg, row.altitude_km, row.view_zenith_deg, row.azimuth_deg})
             text.append(print_number(value)).append(",");
-        for (int c = 0; c < 3; ++c)
-            text.append(print_number(static_cast<float>(radiance[i][c]))).append(c < 2 ? "," : "\n");
+        for (int c = 0; c < 3; ++c) text.append(print_number(static_cast<float>(radiance[i][c]))).append(c < 2 ? "," : "\n");
     }
     return text;
 }
@@ -47,7 +46,8 @@ void run_probe(const ProbeOptions& options) {
     const std::unique_ptr<Backend> backend = open_backend(options.backend);
     const std::vector<Rgb> radiance = probe(*backend, scene.atmosphere, quality, rows);
     const std::string what = options.scene.filename().string() + ", " + backend->describe() + ", quality " + quality.name;
-    write_text(options.output, print_rows("radiance per unit of solar irradiance in 1/sr, without the sun's disk; " + what, rows, radiance));
+    write_text(options.output,
+               print_rows("radiance per unit of solar irradiance in 1/sr, without the sun's disk; " + what, rows, radiance));
     std::printf("%s  %zu directions\n  %s\n", options.output.c_str(), rows.size(), what.c_str());
 }
 
@@ -58,10 +58,11 @@ void add_probe_command(CLI::App& program) {
     CLI::App* command = program.add_subcommand("probe", "Radiance of single directions, through the same passes as a picture");
     command->add_option("--scene", options->scene, "Scene file; its atmosphere and quality are used")->required();
     command
-        ->add_option("--directions", options->directions,
-                     "CSV with a header line and the columns sun_zenith_deg (0 to 180), altitude_km (-10 to 1e9), view_zenith_deg "
-                     "(0 is up, to 180), azimuth_deg (from the sun's, -360 to 360); # starts a comment line, other columns are "
-                     "ignored")
+        ->add_option(
+            "--directions", options->directions,
+            "CSV with a header line and the columns sun_zenith_deg (0 to 180), altitude_km (-10 to 1e9), view_zenith_deg "
+            "(0 is up, to 180), azimuth_deg (from the sun's, -360 to 360); # starts a comment line, other columns are "
+            "ignored")
         ->required();
     command
         ->add_option("-o,--output", options->output,

@@ -7,9 +7,12 @@ namespace aureole::app {
 std::string print_duration(double seconds) {
     const long s = static_cast<long>(seconds + 0.5);
     char text[64];
-    if (s < 60) std::snprintf(text, sizeof text, "%ld s", s);
-    else if (s < 3600) std::snprintf(text, sizeof text, "%ld min %02ld s", s / 60, s % 60);
-    else std::snprintf(text, sizeof text, "%ld h %02ld min", s / 3600, s % 3600 / 60);
+    if (s < 60)
+        std::snprintf(text, sizeof text, "%ld s", s);
+    else if (s < 3600)
+        std::snprintf(text, sizeof text, "%ld min %02ld s", s / 60, s % 60);
+    else
+        std::snprintf(text, sizeof text, "%ld h %02ld min", s / 3600, s % 3600 / 60);
     return text;
 }
 
@@ -21,7 +24,8 @@ std::string progress_line(std::size_t done, std::size_t steps, double elapsed_s)
     line += std::to_string(done) + "/" + std::to_string(steps) + "  " + std::to_string(100 * done / total) + "%  ";
     line += print_duration(elapsed_s);
     if (done > 0 && done < steps)
-        line += ", about " + print_duration(elapsed_s / static_cast<double>(done) * static_cast<double>(steps - done)) + " left";
+        line +=
+            ", about " + print_duration(elapsed_s / static_cast<double>(done) * static_cast<double>(steps - done)) + " left";
     return line;
 }
 
@@ -36,8 +40,10 @@ void Progress::step() {
 void Progress::draw() const {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
     const std::string line = progress_line(done_, steps_, elapsed.count());
-    if (terminal_) std::fprintf(out_, "\r%s\x1b[K%s", line.c_str(), done_ == steps_ ? "\n" : "");
-    else std::fprintf(out_, "%s\n", line.c_str());
+    if (terminal_)
+        std::fprintf(out_, "\r%s\x1b[K%s", line.c_str(), done_ == steps_ ? "\n" : "");
+    else
+        std::fprintf(out_, "%s\n", line.c_str());
     std::fflush(out_);
 }
 

@@ -2,8 +2,8 @@
 
 #include "io/test_files.h"
 
-#include <algorithm>
 #include <doctest/doctest.h>
+#include <algorithm>
 
 using namespace aureole::app;
 

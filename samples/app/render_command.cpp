@@ -5,9 +5,9 @@
 #include "io/csv.h"
 #include "io/file.h"
 
+#include <unistd.h>
 #include <cstdio>
 #include <memory>
-#include <unistd.h>
 
 namespace aureole::app {
 namespace {
@@ -29,7 +29,8 @@ Scene load_scene(const RenderOptions& options) {
     if (scene.terrain && scene.camera.projection != Projection::matrix)
         throw Error(ErrorCode::invalid_argument, "--projection", options.projection, "perspective, for a scene with terrain");
     if (!options.height_map.empty() && !scene.terrain)
-        throw Error(ErrorCode::invalid_argument, "--heightmap", options.height_map.string(), "a scene with a [terrain] section");
+        throw Error(ErrorCode::invalid_argument, "--heightmap", options.height_map.string(),
+                    "a scene with a [terrain] section");
     if (!options.size.empty()) {
         const Size size = parse_size(options.size);
         scene.width = size.width;
@@ -46,13 +47,16 @@ bool is_linear(const std::filesystem::path& output) {
 }
 
 void write_frame(const std::filesystem::path& path, const Frame& frame) {
-    if (frame.linear.width > 0) write_exr(path, frame.linear);
-    else write_png(path, frame.display);
+    if (frame.linear.width > 0)
+        write_exr(path, frame.linear);
+    else
+        write_png(path, frame.display);
 }
 
 void report(const std::filesystem::path& path, const FrameOptions& options, const Frame& frame) {
     std::printf("%s  %ux%u", path.c_str(), options.width, options.height);
-    if (options.samples > 1) std::printf(", composite at %ux%u", options.width * options.samples, options.height * options.samples);
+    if (options.samples > 1)
+        std::printf(", composite at %ux%u", options.width * options.samples, options.height * options.samples);
     if (!options.linear) std::printf(", exposure %.4g", frame.exposure);
     std::printf("\n  passes: %s\n", print_times(frame.times).c_str());
 }
@@ -110,9 +114,10 @@ void add_render_command(CLI::App& program) {
     CLI::App* command = program.add_subcommand("render", "Render a scene file into a picture, or into a sequence of them");
     command->add_option("SCENE", options->scene, "Scene file (TOML; docs/scenes.md)")->required();
     command
-        ->add_option("-o,--output", options->output,
-                     "Picture to write. .png: exposed, tone-mapped (ACES, fitted), sRGB, dithered to 8 bits; .exr: scene-linear "
-                     "Rec.709 radiance in 32-bit floats, in the unit of the sun's irradiance per steradian")
+        ->add_option(
+            "-o,--output", options->output,
+            "Picture to write. .png: exposed, tone-mapped (ACES, fitted), sRGB, dithered to 8 bits; .exr: scene-linear "
+            "Rec.709 radiance in 32-bit floats, in the unit of the sun's irradiance per steradian")
         ->required();
     add_backend_options(*command, options->backend);
     add_quality_option(*command, options->quality, "Quality of the tables, instead of the scene's");
@@ -120,8 +125,9 @@ void add_render_command(CLI::App& program) {
     command->add_option("--projection", options->projection, "Instead of the scene's")
         ->check(CLI::IsMember({"perspective", "fisheye", "panorama"}));
     command->add_flag("--raster", options->raster, "Composite with a full-screen draw instead of a compute pass");
-    command->add_option("--samples", options->samples,
-                        "Composite N by N times as many pixels and average them, 1 to 4: smooth edges of sun, horizon and land")
+    command
+        ->add_option("--samples", options->samples,
+                     "Composite N by N times as many pixels and average them, 1 to 4: smooth edges of sun, horizon and land")
         ->check(CLI::Range(1u, 4u))
         ->default_str("2");
     command->add_option("--heightmap", options->height_map,
@@ -130,9 +136,11 @@ void add_render_command(CLI::App& program) {
         "--sun-elevation", options->sun_elevation,
         "FROM:TO in degrees above the horizon, each in [-90, 90]: a sequence in which the first sun moves evenly between them");
     CLI::Option* frames =
-        command->add_option("--frames", options->frames,
-                            "Pictures in the sequence, 2 to 9999, written with their number: a %04d in the output's name, or -0001 "
-                            "before its extension")
+        command
+            ->add_option(
+                "--frames", options->frames,
+                "Pictures in the sequence, 2 to 9999, written with their number: a %04d in the output's name, or -0001 "
+                "before its extension")
             ->check(CLI::Range(2u, 9999u));
     elevations->needs(frames);
     frames->needs(elevations);

@@ -15,10 +15,10 @@
 namespace aureole::app {
 namespace {
 
-constexpr std::array<std::string_view, 7> result_columns{"sun_zenith_deg", "altitude_km", "view_zenith_deg", "azimuth_deg",
-                                                         "r",              "g",           "b"};
+constexpr std::array<std::string_view, 7> result_columns{
+    "sun_zenith_deg", "altitude_km", "view_zenith_deg", "azimuth_deg", "r", "g", "b"};
 constexpr std::array<std::string_view, 10> truth_columns{
-    "sun_zenith_deg", "altitude_km", "view_zenith_deg",  "azimuth_deg",     "L_r_per_sr",
+    "sun_zenith_deg", "altitude_km", "view_zenith_deg", "azimuth_deg",     "L_r_per_sr",
     "L_g_per_sr",     "L_b_per_sr",  "stderr_r_per_sr", "stderr_g_per_sr", "stderr_b_per_sr"};
 constexpr double most_noise = 0.02;
 
@@ -79,7 +79,7 @@ std::vector<ScoreLine> score(const std::filesystem::path& result_path, const std
     const CsvTable result = read_csv(result_path, result_columns), truth = read_csv(truth_path, truth_columns);
     std::map<Place, std::size_t> found;
     for (std::size_t i = 0; i < result.rows(); ++i) found.emplace(place_of(result, i), i);
-    const double radius = !options.by_ray                 ? 0
+    const double radius = !options.by_ray                ? 0
                           : options.bottom_radius_km > 0 ? options.bottom_radius_km
                                                          : radius_from(truth, truth_path.string());
 
@@ -92,8 +92,8 @@ std::vector<ScoreLine> score(const std::filesystem::path& result_path, const std
         const Place place = place_of(truth, i);
         const auto match = found.find(place);
         if (match == found.end())
-            throw Error(ErrorCode::invalid_argument, result_path.string() + " has no row for line " + std::to_string(truth.lines[i]) +
-                                                         " of " + truth_path.string());
+            throw Error(ErrorCode::invalid_argument, result_path.string() + " has no row for line " +
+                                                         std::to_string(truth.lines[i]) + " of " + truth_path.string());
         const std::string ray = !options.by_ray ? "" : meets_ground(place, radius) ? "ground" : "sky";
         Group& group = groups[{place[0], options.by_altitude ? place[1] : 0, ray}];
         group.line.sun_zenith_deg = place[0];

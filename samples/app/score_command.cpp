@@ -24,8 +24,12 @@ void print_line(const ScoreLine& line, const ScoreOptions& options) {
 }
 
 nlohmann::json to_json(const ScoreLine& line, const ScoreOptions& options) {
-    nlohmann::json out{{"sun_zenith_deg", line.sun_zenith_deg}, {"rows", line.rows},         {"skipped", line.skipped},
-                       {"median", line.median},                 {"p95", line.p95},           {"max", line.worst},
+    nlohmann::json out{{"sun_zenith_deg", line.sun_zenith_deg},
+                       {"rows", line.rows},
+                       {"skipped", line.skipped},
+                       {"median", line.median},
+                       {"p95", line.p95},
+                       {"max", line.worst},
                        {"worst_line", line.worst_line}};
     if (options.by_altitude) out["altitude_km"] = line.altitude_km;
     if (options.by_ray) out["ray"] = line.ray;
@@ -51,8 +55,9 @@ void run_score(const ScoreCommand& command) {
 void add_score_command(CLI::App& program) {
     auto options = std::make_shared<ScoreCommand>();
     CLI::App* command = program.add_subcommand(
-        "score", "How far a probe's result is from a table of truth: sum |dL| / sum L over red, green, blue, in %, for each "
-                 "zenith angle of the sun in degrees. Rows of the truth with a standard error above 2 % in a channel are skipped");
+        "score",
+        "How far a probe's result is from a table of truth: sum |dL| / sum L over red, green, blue, in %, for each "
+        "zenith angle of the sun in degrees. Rows of the truth with a standard error above 2 % in a channel are skipped");
     command->add_option("RESULT.csv", options->result, "What `aureole probe` wrote")->required();
     command->add_option("TRUTH.csv", options->truth, "Columns L_r_per_sr .. and stderr_r_per_sr .., in 1/sr")->required();
     command->add_flag("--by-altitude", options->options.by_altitude, "Split by altitude (km)");

@@ -24,7 +24,8 @@ TEST_CASE("quantile: linear between neighbours") {
 }
 
 TEST_CASE("score: errors, skipped rows, groups") {
-    const auto result = put("result.csv", result_header + "0,0,90,0,1.1,2,3\n0,0,120,0,1,1,0\n0,5,90,0,4,0,0\n60,0,0,0,0,0,0\n60,0,10,0,9,9,9\n");
+    const auto result = put(
+        "result.csv", result_header + "0,0,90,0,1.1,2,3\n0,0,120,0,1,1,0\n0,5,90,0,4,0,0\n60,0,0,0,0,0,0\n60,0,10,0,9,9,9\n");
     const auto truth = put("truth.csv", "# bottom_radius_km=6360 and more\n" + truth_header +
                                             "0,0,90,0,1,2,3,0,0,0.06\n"      // 0.1 / 6; noise of 2 % is not above 2 %
                                             "0,0,120,0,1,1,2,0,0,0\n"        // 2 / 4

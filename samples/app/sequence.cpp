@@ -19,10 +19,12 @@ SunPath parse_sun_path(const std::string& text, std::uint32_t frames) {
     const char *first = text.data(), *end = text.data() + text.size();
     const auto from = std::from_chars(first, end, path.from_deg);
     const bool colon = from.ec == std::errc() && from.ptr != end && *from.ptr == ':';
-    const auto to = colon ? std::from_chars(from.ptr + 1, end, path.to_deg) : std::from_chars_result{first, std::errc::invalid_argument};
+    const auto to =
+        colon ? std::from_chars(from.ptr + 1, end, path.to_deg) : std::from_chars_result{first, std::errc::invalid_argument};
     const auto inside = [](double degrees) { return degrees >= -90 && degrees <= 90; };  // false for NaN
     if (to.ec != std::errc() || to.ptr != end || !inside(path.from_deg) || !inside(path.to_deg))
-        throw Error(ErrorCode::invalid_argument, "--sun-elevation", "\"" + text + "\"", "FROM:TO in degrees, each in [-90, 90]");
+        throw Error(ErrorCode::invalid_argument, "--sun-elevation", "\"" + text + "\"",
+                    "FROM:TO in degrees, each in [-90, 90]");
     return path;
 }
 

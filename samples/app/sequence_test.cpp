@@ -26,7 +26,8 @@ TEST_CASE("numbered") {
     CHECK(numbered("%02d_sky.png", 123) == "123_sky.png");
     CHECK(numbered("sky%d.png", 7) == "sky7.png");
     CHECK(numbered("out%d/sky.png", 7) == "out%d/sky-0007.png");  // the folder's name is left alone
-    for (const char* bad : {"sky%.png", "sky%s.png", "sky%4d.png", "sky%00d.png", "sky%d%d.png", "sky%%.png", "sky%04x.png", "%"}) {
+    for (const char* bad :
+         {"sky%.png", "sky%s.png", "sky%4d.png", "sky%00d.png", "sky%d%d.png", "sky%%.png", "sky%04x.png", "%"}) {
         CAPTURE(bad);
         CHECK(contains(complaint([&] { (void)numbered(bad, 1); }), "allowed: at most one %d or %04d"));
     }

@@ -53,7 +53,8 @@ std::vector<std::size_t> find_columns(const std::vector<std::string_view>& heade
         if (found == header.size()) {
             std::string known;
             for (const std::string_view h : header) known.append(known.empty() ? "" : ",").append(h);
-            throw Error(ErrorCode::invalid_argument, where + ": column " + std::string(name) + " is missing; there are: " + known);
+            throw Error(ErrorCode::invalid_argument,
+                        where + ": column " + std::string(name) + " is missing; there are: " + known);
         }
         indices.push_back(found);
     }

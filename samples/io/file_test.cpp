@@ -39,6 +39,7 @@ TEST_CASE("NewFile: places that take no file") {
     std::filesystem::create_directory("folder");
     CHECK(contains(complaint([] { write_text("folder", "x"); }), "is a folder"));
     CHECK(contains(complaint([] { write_text("folder/", "x"); }), "is a folder"));
-    CHECK(complaint([] { write_text("no_folder/file", "x"); }) == "no_folder/file: cannot be written: there is no folder no_folder");
+    CHECK(complaint([] { write_text("no_folder/file", "x"); }) ==
+          "no_folder/file: cannot be written: there is no folder no_folder");
     CHECK(files_in("folder") == 0);
 }

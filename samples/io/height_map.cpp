@@ -52,7 +52,8 @@ RawGrid read_npz_grid(const std::filesystem::path& path) {
     if (!file.has(name)) {
         std::string all;
         for (const std::string& n : file.names()) all.append(all.empty() ? "" : ", ").append(n);
-        throw Error(ErrorCode::invalid_argument, path.string() + ": arrays of the archive", all, "one called elevation, or only one");
+        throw Error(ErrorCode::invalid_argument, path.string() + ": arrays of the archive", all,
+                    "one called elevation, or only one");
     }
     const NpyArray array = file.read(name);
     if (array.shape.size() != 2)
@@ -68,7 +69,8 @@ RawGrid read_raw(const std::filesystem::path& path) {
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (extension == ".npz") return read_npz_grid(path);
     if (extension != ".png" && extension != ".exr")
-        throw Error(ErrorCode::invalid_argument, "heightmap", path.string(), "jacksboro, or a file that ends in .npz, .png or .exr");
+        throw Error(ErrorCode::invalid_argument, "heightmap", path.string(),
+                    "jacksboro, or a file that ends in .npz, .png or .exr");
     GreyImage image = extension == ".png" ? read_png_grey(path) : read_exr_grey(path);
     return {image.width, image.height, std::move(image.values)};
 }
@@ -100,12 +102,14 @@ HeightMap read_height_map(const std::filesystem::path& path, const HeightMapOpti
     HeightMap map{static_cast<std::uint32_t>(raw.width), static_cast<std::uint32_t>(raw.height), std::move(raw.values),
                   options.spacing_m.value_or(raw.spacing_east_m), options.spacing_m.value_or(raw.spacing_north_m)};
     if (map.spacing_east_m <= 0)
-        throw Error(ErrorCode::invalid_argument, "spacing_m", "no value", "metres between points, since " + file.string() + " does not say");
+        throw Error(ErrorCode::invalid_argument, "spacing_m", "no value",
+                    "metres between points, since " + file.string() + " does not say");
     for (std::size_t i = 0; i < map.meters.size(); ++i) {
         const double meters = map.meters[i] * options.meters_per_unit + options.offset_m;
         if (!(std::abs(meters) <= highest_m))
             throw Error(ErrorCode::invalid_argument,
-                        file.string() + ": height at row " + std::to_string(i / raw.width) + ", column " + std::to_string(i % raw.width),
+                        file.string() + ": height at row " + std::to_string(i / raw.width) + ", column " +
+                            std::to_string(i % raw.width),
                         print_number(meters) + " m", "finite, within 100 km of the ground");
         map.meters[i] = static_cast<float>(meters);
     }

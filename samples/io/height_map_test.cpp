@@ -3,15 +3,15 @@
 #include "io/image.h"
 #include "io/test_files.h"
 
-#include <doctest/doctest.h>
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <doctest/doctest.h>
 #include <zip.h>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 using namespace aureole::app;
 
@@ -29,7 +29,8 @@ std::filesystem::path npz(const std::string& name, const std::vector<std::pair<s
     zip_t* archive = zip_open(name.c_str(), ZIP_CREATE, nullptr);
     REQUIRE(archive);
     for (const auto& [entry, text] : arrays)
-        REQUIRE(zip_file_add(archive, (entry + ".npy").c_str(), zip_source_buffer(archive, text.data(), text.size(), 0), 0) >= 0);
+        REQUIRE(zip_file_add(archive, (entry + ".npy").c_str(), zip_source_buffer(archive, text.data(), text.size(), 0), 0) >=
+                0);
     REQUIRE(zip_close(archive) == 0);
     return name;
 }

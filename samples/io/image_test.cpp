@@ -2,13 +2,13 @@
 
 #include "io/test_files.h"
 
-#include <doctest/doctest.h>
 #include <OpenEXR/ImfArray.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <doctest/doctest.h>
 #include <png.h>
 
 using namespace aureole::app;
@@ -98,7 +98,8 @@ TEST_CASE("read_exr_grey") {
     put_exr("height.exr", {"height"}, values);
     CHECK(read_exr_grey("height.exr").values == values);
     put_exr("two.exr", {"a", "b"}, values);
-    CHECK(contains(complaint([] { (void)read_exr_grey("two.exr"); }), "a, b is not allowed; allowed: Y, R, or a single channel"));
+    CHECK(
+        contains(complaint([] { (void)read_exr_grey("two.exr"); }), "a, b is not allowed; allowed: Y, R, or a single channel"));
     CHECK(contains(complaint([] { (void)read_exr_grey("missing.exr"); }), "there is no such file"));
     CHECK(contains(complaint([] { (void)read_exr_grey(put("text.exr", "hello")); }), "not a readable EXR"));
     const std::string whole = get("y.exr");

@@ -79,9 +79,9 @@ constexpr Type type{decode<T>, sizeof(T)};
 /// `descr` without its byte order.
 Type find_type(std::string_view descr, const Fault& fault) {
     static const std::map<std::string_view, Type> types{
-        {"b1", type<std::uint8_t>},  {"i1", type<std::int8_t>},   {"u1", type<std::uint8_t>}, {"i2", type<std::int16_t>},
-        {"u2", type<std::uint16_t>}, {"i4", type<std::int32_t>},  {"u4", type<std::uint32_t>}, {"i8", type<std::int64_t>},
-        {"u8", type<std::uint64_t>}, {"f4", type<float>},         {"f8", type<double>}};
+        {"b1", type<std::uint8_t>},  {"i1", type<std::int8_t>},  {"u1", type<std::uint8_t>},  {"i2", type<std::int16_t>},
+        {"u2", type<std::uint16_t>}, {"i4", type<std::int32_t>}, {"u4", type<std::uint32_t>}, {"i8", type<std::int64_t>},
+        {"u8", type<std::uint64_t>}, {"f4", type<float>},        {"f8", type<double>}};
     const auto found = types.find(descr);
     if (found == types.end()) fault("its element type " + std::string(descr) + " is not one of b1 i1-i8 u1-u8 f4 f8");
     return found->second;
@@ -139,7 +139,8 @@ NpyArray parse_npy(std::span<const std::byte> bytes, const std::string& name) {
     std::size_t count = 1;
     for (const std::size_t length : array.shape) count *= length;
     const std::size_t expected = count * element.bytes, found = bytes.size() - layout.data;
-    if (found != expected) fault("it holds " + std::to_string(found) + " bytes where its shape needs " + std::to_string(expected));
+    if (found != expected)
+        fault("it holds " + std::to_string(found) + " bytes where its shape needs " + std::to_string(expected));
 
     array.values.resize(count);
     for (std::size_t i = 0; i < count; ++i)

@@ -4,10 +4,10 @@
 
 #include <aureole/rhi/error.h>
 
+#include <zip.h>
 #include <algorithm>
 #include <cstdint>
 #include <string_view>
-#include <zip.h>
 
 namespace aureole::app {
 namespace {

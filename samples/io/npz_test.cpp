@@ -3,8 +3,8 @@
 #include "io/test_files.h"
 
 #include <doctest/doctest.h>
-#include <cstring>
 #include <zip.h>
+#include <cstring>
 
 using namespace aureole::app;
 
@@ -38,7 +38,8 @@ void put_npz(const std::string& name, const std::vector<std::pair<std::string, s
     zip_t* archive = zip_open(name.c_str(), ZIP_CREATE, nullptr);
     REQUIRE(archive);
     for (const auto& [entry, text] : entries) {
-        const zip_int64_t index = zip_file_add(archive, entry.c_str(), zip_source_buffer(archive, text.data(), text.size(), 0), 0);
+        const zip_int64_t index =
+            zip_file_add(archive, entry.c_str(), zip_source_buffer(archive, text.data(), text.size(), 0), 0);
         REQUIRE(index >= 0);
         REQUIRE(zip_set_file_compression(archive, static_cast<zip_uint64_t>(index), method, 0) == 0);
     }
@@ -63,7 +64,8 @@ TEST_CASE("parse_npy: types, byte orders, versions, orders of indices") {
     const NpyArray number = parse(npy("{'descr': '<f8', 'fortran_order': False, 'shape': (), }", bytes_of<double>({0.25})));
     CHECK(number.shape.empty());
     CHECK(number.values == std::vector<double>{0.25});
-    CHECK(parse(npy("{'shape':(2,),'fortran_order':False,'descr':'|u1'}", {"\x07\xff", 2}, 2)).values == std::vector<double>{7, 255});
+    CHECK(parse(npy("{'shape':(2,),'fortran_order':False,'descr':'|u1'}", {"\x07\xff", 2}, 2)).values ==
+          std::vector<double>{7, 255});
     CHECK(parse(npy("{'descr': '<i4', 'fortran_order': False, 'shape': (0, 5), }", "")).values.empty());
 }
 
@@ -96,7 +98,9 @@ TEST_CASE("parse_npy: broken files") {
 }
 
 TEST_CASE("NpzFile") {
-    put_npz("two.npz", {{"a.npy", npy(two_by_three, bytes_of<std::int16_t>({1, 2, 3, 4, 5, 6}))}, {"readme.txt", "no array"}, {"b.npy", "broken"}});
+    put_npz("two.npz", {{"a.npy", npy(two_by_three, bytes_of<std::int16_t>({1, 2, 3, 4, 5, 6}))},
+                        {"readme.txt", "no array"},
+                        {"b.npy", "broken"}});
     const NpzFile file("two.npz");
     CHECK(file.names() == std::vector<std::string>{"a", "b"});
     CHECK(file.has("a"));
@@ -111,7 +115,8 @@ TEST_CASE("NpzFile") {
     CHECK(contains(complaint([] { NpzFile(put("text.npz", "hello")); }), "text.npz: not a readable .npz archive"));
 
     const std::string whole = get("two.npz");
-    CHECK(contains(complaint([&] { NpzFile(put("cut.npz", whole.substr(0, whole.size() / 2))); }), "not a readable .npz archive"));
+    CHECK(contains(complaint([&] { NpzFile(put("cut.npz", whole.substr(0, whole.size() / 2))); }),
+                   "not a readable .npz archive"));
 }
 
 TEST_CASE("NpzFile: damaged contents") {

@@ -3,9 +3,9 @@
 
 #include <aureole/rhi/error.h>
 
+#include <png.h>
 #include <csetjmp>
 #include <cstring>
-#include <png.h>
 #include <string>
 
 namespace aureole::app {

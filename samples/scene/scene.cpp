@@ -28,8 +28,7 @@ SceneCamera read_camera(Section section, double bottom_radius_m) {
     SceneCamera camera;
     camera.altitude_m = section.number("altitude_m", {-bottom_radius_m / 2, 1e12}).value_or(camera.altitude_m);
     camera.clearance_m = section.number("clearance_m", {0, 1e6});
-    if (camera.clearance_m && section.has("altitude_m"))
-        section.reject("clearance_m", "beside altitude_m", "one of the two");
+    if (camera.clearance_m && section.has("altitude_m")) section.reject("clearance_m", "beside altitude_m", "one of the two");
     camera.pose.bearing_deg = section.number("bearing_deg", bearing).value_or(0);
     camera.pose.elevation_deg = section.number("elevation_deg", elevation).value_or(0);
     camera.vertical_fov_deg = section.number("vertical_fov_deg", {0.01, 170}).value_or(camera.vertical_fov_deg);
@@ -66,8 +65,10 @@ SceneTerrain read_terrain(Section section, const std::filesystem::path& folder) 
 
 void read_exposure(Section& root, SceneExposure& exposure) {
     exposure.stops = root.number("exposure_stops", {-30, 30}).value_or(0);
-    if (root.is_text("exposure")) (void)root.choice("exposure", {"auto"});
-    else exposure.factor = root.number("exposure", {1e-9, 1e12});
+    if (root.is_text("exposure"))
+        (void)root.choice("exposure", {"auto"});
+    else
+        exposure.factor = root.number("exposure", {1e-9, 1e12});
 }
 
 void read_size(Section& root, Scene& scene) {
@@ -141,9 +142,9 @@ std::vector<Sun> suns_of(const Scene& scene) {
 
 Camera camera_of(const Scene& scene, double altitude_m, std::uint32_t width, std::uint32_t height) {
     const SceneCamera& c = scene.camera;
-    Camera camera = look(scene.atmosphere.planet.bottom_radius_m, altitude_m, -c.pose.bearing_deg * degree,
-                         c.pose.elevation_deg * degree, c.vertical_fov_deg * degree,
-                         static_cast<double>(width) / static_cast<double>(height));
+    Camera camera =
+        look(scene.atmosphere.planet.bottom_radius_m, altitude_m, -c.pose.bearing_deg * degree, c.pose.elevation_deg * degree,
+             c.vertical_fov_deg * degree, static_cast<double>(width) / static_cast<double>(height));
     camera.kind = c.projection;
     return camera;
 }

@@ -32,8 +32,8 @@ struct SceneSun {
 };
 
 struct SceneCamera {
-    double altitude_m = 2;               ///< Above the planet's ground radius.
-    std::optional<double> clearance_m;   ///< Instead: above the terrain.
+    double altitude_m = 2;              ///< Above the planet's ground radius.
+    std::optional<double> clearance_m;  ///< Instead: above the terrain.
     ScenePose pose;
     double vertical_fov_deg = 60;
     Projection projection = Projection::matrix;

@@ -51,8 +51,8 @@ PhaseFunction read_draine(Section& section) {
 }
 
 PhaseFunction read_phase(Section section) {
-    const auto kind = section.choice(
-        "kind", {"rayleigh", "henyey_greenstein", "cornette_shanks", "henyey_greenstein_draine", "tabulated"});
+    const auto kind =
+        section.choice("kind", {"rayleigh", "henyey_greenstein", "cornette_shanks", "henyey_greenstein_draine", "tabulated"});
     PhaseFunction phase;
     switch (kind.value_or(5)) {
         case 0:
@@ -82,8 +82,9 @@ PhaseFunction read_phase(Section section) {
             break;
         }
         default:
-            section.reject("kind", "nothing",
-                           "\"rayleigh\", \"henyey_greenstein\", \"cornette_shanks\", \"henyey_greenstein_draine\", \"tabulated\"");
+            section.reject(
+                "kind", "nothing",
+                "\"rayleigh\", \"henyey_greenstein\", \"cornette_shanks\", \"henyey_greenstein_draine\", \"tabulated\"");
     }
     section.finish();
     return phase;

@@ -108,8 +108,9 @@ TEST_CASE("bearings: clockwise from north, as the camera looks") {
 }
 
 TEST_CASE("parse_scene: atmospheres from presets and from nothing") {
-    const AtmosphereParameters changed = parse("[atmosphere]\npreset = \"mars\"\nground_albedo = 0.5\n"
-                                               "[[atmosphere.term]]\nname = \"rayleigh\"\nscattering_per_m = 1e-6\n")
+    const AtmosphereParameters changed = parse(
+                                             "[atmosphere]\npreset = \"mars\"\nground_albedo = 0.5\n"
+                                             "[[atmosphere.term]]\nname = \"rayleigh\"\nscattering_per_m = 1e-6\n")
                                              .atmosphere;
     CHECK(changed.planet.bottom_radius_m == presets::mars().planet.bottom_radius_m);
     CHECK(changed.planet.ground_albedo == Rgb(0.5));
@@ -141,7 +142,8 @@ phase = { kind = "henyey_greenstein_draine", g_hg = 0.1, g_draine = 0.2, alpha =
 name = "d"
 scattering_per_m = 1e-6
 phase = { kind = "henyey_greenstein_draine", droplet_diameter_um = 10 }
-)").atmosphere;
+)")
+                                          .atmosphere;
     REQUIRE(made.terms.size() == 4);
     CHECK(made.planet.top_radius_m == 1.1e6);
     CHECK(made.terms[0].absorption_per_m == Rgb(1e-7));
@@ -155,11 +157,14 @@ phase = { kind = "henyey_greenstein_draine", droplet_diameter_um = 10 }
 }
 
 TEST_CASE("parse_scene: faults of the atmosphere point to their lines") {
-    CHECK(contains(rejected("[atmosphere]\n\ntop_radius_m = 1"), "t.toml:3: atmosphere.top_radius_m: 1 (top_radius_m) is not allowed"));
-    CHECK(contains(rejected("[atmosphere]\nground_albedo = [0, 1.5, 0]"), "t.toml:2: atmosphere.ground_albedo: 1.5 (ground_albedo.g)"));
+    CHECK(contains(rejected("[atmosphere]\n\ntop_radius_m = 1"),
+                   "t.toml:3: atmosphere.top_radius_m: 1 (top_radius_m) is not allowed"));
+    CHECK(contains(rejected("[atmosphere]\nground_albedo = [0, 1.5, 0]"),
+                   "t.toml:2: atmosphere.ground_albedo: 1.5 (ground_albedo.g)"));
     const std::string term = "[[atmosphere.term]]\nname = \"mie\"\n";
     CHECK(contains(rejected(term + "scattering_per_m = -1"), "t.toml:3: atmosphere.term[0].scattering_per_m: -1"));
-    CHECK(contains(rejected(term + "phase = { kind = \"cornette_shanks\", g = 1 }"), "t.toml:3: atmosphere.term[0].phase.g: 1"));
+    CHECK(
+        contains(rejected(term + "phase = { kind = \"cornette_shanks\", g = 1 }"), "t.toml:3: atmosphere.term[0].phase.g: 1"));
     CHECK(contains(rejected(term + "profile = { kind = \"exponential\", scale_height_m = 0 }"),
                    "t.toml:3: atmosphere.term[0].profile.scale_height_m: 0"));
     CHECK(contains(rejected(term + "profile = { kind = \"tabulated\", altitude_m = [0, 1, 1], density = [1, 1, 1] }"),
@@ -167,11 +172,14 @@ TEST_CASE("parse_scene: faults of the atmosphere point to their lines") {
     CHECK(contains(rejected(term + "profile = { kind = \"tabulated\" }"), "t.toml:3: atmosphere.term[0].profile"));
     CHECK(contains(rejected(term + "profile = { scale_height_m = 1 }"), "profile.kind: nothing is not allowed"));
     CHECK(contains(rejected(term + "phase = { kind = \"mie\" }"), "phase.kind: \"mie\" is not allowed; allowed: \"rayleigh\""));
-    CHECK(contains(rejected(term + "phase = { kind = \"rayleigh\", g = 0.5 }"), "phase.g: this key is not allowed; allowed: kind"));
-    CHECK(contains(rejected(term + "phase = { kind = \"henyey_greenstein_draine\", droplet_diameter_um = 4 }"), "droplet_diameter_um: 4"));
+    CHECK(contains(rejected(term + "phase = { kind = \"rayleigh\", g = 0.5 }"),
+                   "phase.g: this key is not allowed; allowed: kind"));
+    CHECK(contains(rejected(term + "phase = { kind = \"henyey_greenstein_draine\", droplet_diameter_um = 4 }"),
+                   "droplet_diameter_um: 4"));
     CHECK(contains(rejected("[[atmosphere.term]]\n"), "atmosphere.term[0].name: nothing is not allowed"));
     CHECK(contains(rejected("[atmosphere]\npreset = \"venus\""), "t.toml:2: atmosphere.preset: \"venus\""));
-    CHECK(contains(rejected("[atmosphere]\nradius = 1"), "t.toml:2: atmosphere.radius: this key is not allowed; allowed: bottom_radius_m"));
+    CHECK(contains(rejected("[atmosphere]\nradius = 1"),
+                   "t.toml:2: atmosphere.radius: this key is not allowed; allowed: bottom_radius_m"));
 }
 
 TEST_CASE("parse_scene: faults elsewhere") {
@@ -185,7 +193,8 @@ TEST_CASE("parse_scene: faults elsewhere") {
     CHECK(contains(rejected("quality = \"ultra\""), "allowed: \"low\", \"default\", \"high\", \"published-2020\""));
     CHECK(contains(rejected("aerial_perspective_distance_m = 0"), "aerial_perspective_distance_m: 0"));
     CHECK(contains(rejected("[sun]\n"), "sun: a table is not allowed; allowed: an array of tables"));
-    CHECK(contains(rejected("[[sun]]\n[[sun]]\n[[sun]]\n[[sun]]\n[[sun]]\n"), "sun: 5 suns is not allowed; allowed: at most 4"));
+    CHECK(
+        contains(rejected("[[sun]]\n[[sun]]\n[[sun]]\n[[sun]]\n[[sun]]\n"), "sun: 5 suns is not allowed; allowed: at most 4"));
     CHECK(contains(rejected("[[sun]]\nelevation_deg = 91"), "t.toml:2: sun[0].elevation_deg: 91"));
     CHECK(contains(rejected("[[sun]]\nirradiance = -1"), "sun[0].irradiance: -1"));
     CHECK(contains(rejected("[[sun]]\nangular_radius_deg = 46"), "sun[0].angular_radius_deg: 46"));
@@ -194,7 +203,8 @@ TEST_CASE("parse_scene: faults elsewhere") {
     CHECK(contains(rejected("[camera]\nclearance_m = 1"), "clearance_m without [terrain]"));
     CHECK(contains(rejected("[camera]\nclearance_m = 1\naltitude_m = 1"), "camera.clearance_m: beside altitude_m"));
     CHECK(contains(rejected("[terrain]\n"), "terrain.heightmap: nothing is not allowed"));
-    CHECK(contains(rejected("[terrain]\nheightmap = \"jacksboro\"\n[camera]\nprojection = \"fisheye\""), "the others have no depth"));
+    CHECK(contains(rejected("[terrain]\nheightmap = \"jacksboro\"\n[camera]\nprojection = \"fisheye\""),
+                   "the others have no depth"));
 }
 
 TEST_CASE("read_scene: the height map is named from the scene's folder") {
@@ -208,7 +218,8 @@ TEST_CASE("read_scene: the height map is named from the scene's folder") {
 
 TEST_CASE("the scenes that come with the application") {
     const std::filesystem::path folder = AUREOLE_SCENES;
-    for (const char* name : {"noon", "golden_hour", "twilight", "altitude_10km", "low_orbit", "mars", "terrain_near", "terrain_far"}) {
+    for (const char* name :
+         {"noon", "golden_hour", "twilight", "altitude_10km", "low_orbit", "mars", "terrain_near", "terrain_far"}) {
         CAPTURE(name);
         CHECK(complaint([&] { (void)read_scene(folder / (std::string(name) + ".toml")); }) == "nothing");
     }
@@ -246,6 +257,6 @@ TEST_CASE("the scenes of the truth tables hold the tables' parameters") {
     const Rgb air(0.005802, 0.013558, 0.0331), ozone(0.00065, 0.001881, 8.5e-05);
     check("truth_earth.toml", 6360, 6460, 0.3, air, 8, Rgb(0.003996), Rgb(0.000444), 1.2, 0.8, ozone);
     check("truth_hazy.toml", 6360, 6460, 0.1, air, 8, Rgb(0.03996), Rgb(0.00444), 1.2, 0.76, ozone);
-    check("truth_mars.toml", 3389.5, 3509.5, 0.25, Rgb(0.019918, 0.01357, 0.00575), 11.1, Rgb(0.00966), Rgb(0.0005, 0.0013, 0.0038),
-          11.1, 0.76, Rgb(0));
+    check("truth_mars.toml", 3389.5, 3509.5, 0.25, Rgb(0.019918, 0.01357, 0.00575), 11.1, Rgb(0.00966),
+          Rgb(0.0005, 0.0013, 0.0038), 11.1, 0.76, Rgb(0));
 }

@@ -3,10 +3,10 @@
 #include "io/csv.h"
 #include "io/file.h"
 
+#include <toml++/toml.h>
 #include <cmath>
 #include <set>
 #include <sstream>
-#include <toml++/toml.h>
 
 namespace aureole::app {
 
@@ -29,13 +29,20 @@ std::string print_range(Range range) { return "in [" + print_number(range.low) +
 
 std::string print_node(const toml::node& node) {
     std::ostringstream out;
-    if (const auto* text = node.as_string()) out << '"' << text->get() << '"';
-    else if (const auto* integer = node.as_integer()) out << integer->get();
-    else if (const auto* real = node.as_floating_point()) out << print_number(real->get());
-    else if (const auto* flag = node.as_boolean()) out << (flag->get() ? "true" : "false");
-    else if (const auto* array = node.as_array()) out << "an array of " << array->size();
-    else if (node.is_table()) out << "a table";
-    else out << "a date or time";
+    if (const auto* text = node.as_string())
+        out << '"' << text->get() << '"';
+    else if (const auto* integer = node.as_integer())
+        out << integer->get();
+    else if (const auto* real = node.as_floating_point())
+        out << print_number(real->get());
+    else if (const auto* flag = node.as_boolean())
+        out << (flag->get() ? "true" : "false");
+    else if (const auto* array = node.as_array())
+        out << "an array of " << array->size();
+    else if (node.is_table())
+        out << "a table";
+    else
+        out << "a date or time";
     return out.str();
 }
 

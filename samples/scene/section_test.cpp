@@ -13,7 +13,8 @@ Section root(const std::string& text) { return TomlDocument(text, "t.toml").root
 }  // namespace
 
 TEST_CASE("Section: values of each kind") {
-    Section s = root("a = 1\nb = 2.5\nc = [1, 2.0]\nd = 0.5\ne = [1, 2, 3]\nf = true\ng = \"x\"\nh = \"two\"\n[i]\nj = 1\n[[k]]\n[[k]]\n");
+    Section s = root(
+        "a = 1\nb = 2.5\nc = [1, 2.0]\nd = 0.5\ne = [1, 2, 3]\nf = true\ng = \"x\"\nh = \"two\"\n[i]\nj = 1\n[[k]]\n[[k]]\n");
     CHECK(s.number("a", {0, 1}) == 1);
     CHECK(s.number("b", {0, 3}) == 2.5);
     CHECK_FALSE(s.number("missing", {0, 1}));
@@ -36,23 +37,32 @@ TEST_CASE("Section: messages say file, line, key, value and what is allowed") {
         Section s = root(text);
         return complaint([&] { read(s); });
     };
-    CHECK(rejected("\n\na = 2", [](Section& s) { (void)s.number("a", {0, 1}); }) ==
-          "t.toml:3: a: 2 is not allowed; allowed: a number in [0, 1]");
-    CHECK(rejected("a = nan", [](Section& s) { (void)s.number("a", {0, 1}); }) ==
-          "t.toml:1: a: nan is not allowed; allowed: a number in [0, 1]");
-    CHECK(rejected("a = \"1\"", [](Section& s) { (void)s.number("a", {0, 1}); }) ==
-          "t.toml:1: a: \"1\" is not allowed; allowed: a number in [0, 1]");
-    CHECK(rejected("a = [1, 5]", [](Section& s) { (void)s.numbers("a", {0, 1}); }) ==
-          "t.toml:1: a: 5 as element 1 is not allowed; allowed: numbers in [0, 1]");
-    CHECK(rejected("a = 1", [](Section& s) { (void)s.numbers("a", {0, 1}); }) ==
-          "t.toml:1: a: 1 is not allowed; allowed: an array of numbers in [0, 1]");
-    CHECK(rejected("a = [1, 1]", [](Section& s) { (void)s.rgb("a", {0, 1}); }) ==
-          "t.toml:1: a: an array of 2 is not allowed; allowed: a number, or [red, green, blue], each in [0, 1]");
+    CHECK(rejected("\n\na = 2", [](Section& s) {
+              (void)s.number("a", {0, 1});
+          }) == "t.toml:3: a: 2 is not allowed; allowed: a number in [0, 1]");
+    CHECK(rejected("a = nan", [](Section& s) {
+              (void)s.number("a", {0, 1});
+          }) == "t.toml:1: a: nan is not allowed; allowed: a number in [0, 1]");
+    CHECK(rejected("a = \"1\"", [](Section& s) {
+              (void)s.number("a", {0, 1});
+          }) == "t.toml:1: a: \"1\" is not allowed; allowed: a number in [0, 1]");
+    CHECK(rejected("a = [1, 5]", [](Section& s) {
+              (void)s.numbers("a", {0, 1});
+          }) == "t.toml:1: a: 5 as element 1 is not allowed; allowed: numbers in [0, 1]");
+    CHECK(rejected("a = 1", [](Section& s) {
+              (void)s.numbers("a", {0, 1});
+          }) == "t.toml:1: a: 1 is not allowed; allowed: an array of numbers in [0, 1]");
+    CHECK(rejected("a = [1, 1]", [](Section& s) {
+              (void)s.rgb("a", {0, 1});
+          }) == "t.toml:1: a: an array of 2 is not allowed; allowed: a number, or [red, green, blue], each in [0, 1]");
     CHECK(contains(rejected("a = inf", [](Section& s) { (void)s.rgb("a", {0, 1}); }), "a: inf is not allowed"));
-    CHECK(rejected("a = 1", [](Section& s) { (void)s.boolean("a"); }) == "t.toml:1: a: 1 is not allowed; allowed: true or false");
-    CHECK(rejected("a = 1", [](Section& s) { (void)s.text("a"); }) == "t.toml:1: a: 1 is not allowed; allowed: a text in quotes");
-    CHECK(rejected("a = \"z\"", [](Section& s) { (void)s.choice("a", {"x", "y"}); }) ==
-          "t.toml:1: a: \"z\" is not allowed; allowed: \"x\", \"y\"");
+    CHECK(rejected("a = 1", [](Section& s) { (void)s.boolean("a"); }) ==
+          "t.toml:1: a: 1 is not allowed; allowed: true or false");
+    CHECK(rejected("a = 1", [](Section& s) { (void)s.text("a"); }) ==
+          "t.toml:1: a: 1 is not allowed; allowed: a text in quotes");
+    CHECK(rejected("a = \"z\"", [](Section& s) {
+              (void)s.choice("a", {"x", "y"});
+          }) == "t.toml:1: a: \"z\" is not allowed; allowed: \"x\", \"y\"");
     CHECK(rejected("a = 1", [](Section& s) { (void)s.section("a"); }) == "t.toml:1: a: 1 is not allowed; allowed: a table");
     CHECK(rejected("a = [1]", [](Section& s) { (void)s.sections("a"); }) ==
           "t.toml:1: a: an array of 1 is not allowed; allowed: an array of tables");

@@ -1,19 +1,19 @@
 #include "terrain/height_field.h"
 
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 namespace aureole::app {
 namespace {
 
-constexpr int top_level = 6;                       // 64 cells
-constexpr std::int64_t most_points = 1ll << 24;    // of the finer grid, where the map itself has fewer
-constexpr int finest = 4;                          // times finer than the map
+constexpr int top_level = 6;                     // 64 cells
+constexpr std::int64_t most_points = 1ll << 24;  // of the finer grid, where the map itself has fewer
+constexpr int finest = 4;                        // times finer than the map
 
 /// Index in [0, count) of an index that runs through mirror images of a row of `count` cells.
 std::int64_t mirror(std::int64_t index, std::int64_t count) {
@@ -114,7 +114,8 @@ void HeightField::build_pyramid() {
         for (std::int64_t y = 0; y < level.height; ++y) {
             for (std::int64_t x = 0; x < level.width; ++x) {
                 const float* p = below.data() + y * step * stride + x * step;
-                level.ceilings[static_cast<std::size_t>(y * level.width + x)] = std::max({p[0], p[1], p[stride], p[stride + 1]});
+                level.ceilings[static_cast<std::size_t>(y * level.width + x)] =
+                    std::max({p[0], p[1], p[stride], p[stride + 1]});
             }
         }
     }
@@ -128,7 +129,8 @@ void HeightField::build_open_sky() {
     open_sky_.resize(static_cast<std::size_t>(w * h));
     in_parallel(h, [&](std::int64_t y) {
         for (std::int64_t x = 0; x < w; ++x) {
-            const glm::dvec2 place = origin_ + cell_ * glm::dvec2(static_cast<double>(x * stride), static_cast<double>(y * stride));
+            const glm::dvec2 place =
+                origin_ + cell_ * glm::dvec2(static_cast<double>(x * stride), static_cast<double>(y * stride));
             const double here = height(place);
             double open = 0;
             for (int d = 0; d < directions; ++d) {
@@ -166,7 +168,8 @@ HeightField::Corner HeightField::corner(glm::dvec2 place) const {
 
 double HeightField::height(glm::dvec2 place) const {
     const Corner c = corner(place);
-    return std::lerp(std::lerp<double>(points_[c.p00], points_[c.p10], c.fx), std::lerp<double>(points_[c.p01], points_[c.p11], c.fx), c.fy);
+    return std::lerp(std::lerp<double>(points_[c.p00], points_[c.p10], c.fx),
+                     std::lerp<double>(points_[c.p01], points_[c.p11], c.fx), c.fy);
 }
 
 glm::dvec3 HeightField::normal(glm::dvec2 place) const {
@@ -181,7 +184,8 @@ double HeightField::open_sky(glm::dvec2 place) const {
     constexpr double stride = 4;
     const Corner c = corner(place);
     const std::int64_t w = nx_ / 4 + 1;
-    const std::int64_t column = static_cast<std::int64_t>(c.p00) % (nx_ + 1), row = static_cast<std::int64_t>(c.p00) / (nx_ + 1);
+    const std::int64_t column = static_cast<std::int64_t>(c.p00) % (nx_ + 1),
+                       row = static_cast<std::int64_t>(c.p00) / (nx_ + 1);
     const double x = (static_cast<double>(column) + c.fx) / stride, y = (static_cast<double>(row) + c.fy) / stride;
     const std::int64_t ix = std::min(static_cast<std::int64_t>(x), w - 2);
     const std::int64_t iy = std::min(static_cast<std::int64_t>(y), ny_ / 4 - 1);

@@ -64,8 +64,9 @@ TEST_CASE("HeightField: nothing is above a cell's ceiling, and ceilings are tigh
                 double highest = -1e9;
                 for (double v = 0.02; v < 1; v += 0.16)
                     for (double u = 0.02; u < 1; u += 0.16)
-                        highest = std::max(highest, field.height(field.origin() + size * glm::dvec2(static_cast<double>(x) + u,
-                                                                                                  static_cast<double>(y) + v)));
+                        highest =
+                            std::max(highest, field.height(field.origin() + size * glm::dvec2(static_cast<double>(x) + u,
+                                                                                              static_cast<double>(y) + v)));
                 CHECK(highest <= field.ceiling(level, x, y) + 1e-9);
                 if (level == 0) CHECK(highest > field.ceiling(level, x, y) - 3);
             }

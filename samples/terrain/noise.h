@@ -9,7 +9,8 @@ namespace aureole::app {
 
 /// In [0, 1), from the bits of two integers (the finalizer of MurmurHash3, Appleby 2011).
 [[nodiscard]] inline double hash_noise(std::int64_t x, std::int64_t y) {
-    std::uint64_t h = static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15ull + static_cast<std::uint64_t>(y) * 0xc2b2ae3d27d4eb4full;
+    std::uint64_t h =
+        static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15ull + static_cast<std::uint64_t>(y) * 0xc2b2ae3d27d4eb4full;
     h = (h ^ (h >> 33)) * 0xff51afd7ed558ccdull;
     h = (h ^ (h >> 33)) * 0xc4ceb9fe1a85ec53ull;
     return static_cast<double>((h ^ (h >> 33)) >> 11) * 0x1p-53;

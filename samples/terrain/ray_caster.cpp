@@ -71,7 +71,8 @@ std::optional<RayCaster::Hit> RayCaster::cast(const glm::dvec3& origin, const gl
     while (t < end) {
         const glm::dvec3 p = line.at(t);
         const glm::dvec2 cells = (place_of(p) - field_.origin()) / field_.cell_size(level);
-        const std::int64_t x = static_cast<std::int64_t>(std::floor(cells.x)), y = static_cast<std::int64_t>(std::floor(cells.y));
+        const std::int64_t x = static_cast<std::int64_t>(std::floor(cells.x)),
+                           y = static_cast<std::int64_t>(std::floor(cells.y));
 
         // How far to the cell's edge, with the map's axes taken as straight over one cell.
         const glm::dvec3 up = glm::normalize(p);
@@ -81,7 +82,8 @@ std::optional<RayCaster::Hit> RayCaster::cast(const glm::dvec3& origin, const gl
         double step = 1e30;
         for (int axis = 0; axis < 2; ++axis) {
             const double left = speed[axis] > 0 ? 1 - inside[axis] : inside[axis];
-            if (std::abs(speed[axis]) > 1e-12) step = std::min(step, left * field_.cell_size(level)[axis] / std::abs(speed[axis]));
+            if (std::abs(speed[axis]) > 1e-12)
+                step = std::min(step, left * field_.cell_size(level)[axis] / std::abs(speed[axis]));
         }
         // A little into the next cell, so that the march goes on; at least as far as double precision can tell.
         const double next = std::min(t + step + 0.01 * field_.cell_size(0).x, end);

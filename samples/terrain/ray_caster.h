@@ -20,7 +20,8 @@ public:
     };
     /// First meeting at a distance in [from, to]; `direction` is a unit vector. A ray that starts inside the land meets
     /// it at once; one that only grazes the land inside one grid cell may miss it.
-    [[nodiscard]] std::optional<Hit> cast(const glm::dvec3& origin, const glm::dvec3& direction, double from_m, double to_m) const;
+    [[nodiscard]] std::optional<Hit> cast(const glm::dvec3& origin, const glm::dvec3& direction, double from_m,
+                                          double to_m) const;
 
     /// Place below (or above) a point, and back to a point at a height above the planet's ground radius.
     [[nodiscard]] glm::dvec2 place_of(const glm::dvec3& point) const;

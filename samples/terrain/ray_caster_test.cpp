@@ -36,7 +36,8 @@ TEST_CASE("RayCaster: flat land is a sphere") {
         const auto hit = caster.cast(eye, towards(30, -down), 0, 1e6);
         REQUIRE(hit);
         // Where a line at this angle meets the sphere: r sin - sqrt(R^2 - r^2 cos^2).
-        const double s = std::sin(down * 3.14159265358979 / 180), c = std::cos(down * 3.14159265358979 / 180), r = radius + 1000;
+        const double s = std::sin(down * 3.14159265358979 / 180), c = std::cos(down * 3.14159265358979 / 180),
+                     r = radius + 1000;
         CHECK(hit->distance_m == doctest::Approx(r * s - std::sqrt(radius * radius - r * r * c * c)).epsilon(1e-6));
     }
     // The horizon of 1000 m is at acos(R / (R + 1000)) = 1.016 degrees.
@@ -57,7 +58,7 @@ TEST_CASE("RayCaster: places and points are each other's inverse, with true dist
         CHECK(glm::length(caster.place_of(point) - place) < 1e-3);
         CHECK(std::acos(point.z / glm::length(point)) * radius == doctest::Approx(glm::length(offset)));
     }
-    CHECK(caster.point_at({500, 700}, 0).x == doctest::Approx(1000).epsilon(1e-6));   // north is +x
+    CHECK(caster.point_at({500, 700}, 0).x == doctest::Approx(1000).epsilon(1e-6));     // north is +x
     CHECK(caster.point_at({1500, -300}, 0).y == doctest::Approx(-1000).epsilon(1e-6));  // east is -y
     const glm::dvec3 up = caster.to_world(caster.point_at({500, 1e5}, 0), {0, 0, 1});
     CHECK(glm::dot(up, glm::normalize(caster.point_at({500, 1e5}, 0))) == doctest::Approx(1));
@@ -66,7 +67,9 @@ TEST_CASE("RayCaster: places and points are each other's inverse, with true dist
 
 TEST_CASE("RayCaster: agrees with small steps on hills") {
     const HeightField field(
-        make_map(80, 60, [](double e, double n) { return 300 + 120 * std::sin(e / 310) * std::cos(n / 270) + 40 * std::sin(n / 140); }), 1);
+        make_map(80, 60,
+                 [](double e, double n) { return 300 + 120 * std::sin(e / 310) * std::cos(n / 270) + 40 * std::sin(n / 140); }),
+        1);
     const RayCaster caster(field, radius, {100, 200});
     const glm::dvec3 eye(0, 0, radius + 520);
     std::mt19937 random(7);
@@ -95,10 +98,11 @@ TEST_CASE("RayCaster: agrees with small steps on hills") {
 
 TEST_CASE("RayCaster: a ridge hides what is behind it") {
     // A wall 400 m high, 2 km north; the map's mirror images are far away.
-    const HeightField field(make_map(201, 100, [](double, double n) { return std::max(0.0, 400 - 2 * std::abs(n - 2000)); }), 1);
+    const HeightField field(make_map(201, 100, [](double, double n) { return std::max(0.0, 400 - 2 * std::abs(n - 2000)); }),
+                            1);
     const RayCaster caster(field, radius, {0, 0});
     const glm::dvec3 eye(0, 0, radius + 10);
-    CHECK(caster.cast(eye, towards(0, 10), 0, 5000));        // atan(390 / 2000) = 11.0 degrees
+    CHECK(caster.cast(eye, towards(0, 10), 0, 5000));  // atan(390 / 2000) = 11.0 degrees
     CHECK_FALSE(caster.cast(eye, towards(0, 12), 0, 5000));
     CHECK_FALSE(caster.cast(eye, towards(180, 3), 0, 5000));
     const auto wall = caster.cast(eye, towards(0, 5), 0, 5000);

@@ -2,6 +2,8 @@
 
 #include "terrain/noise.h"
 
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -9,8 +11,6 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <numbers>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 namespace aureole::app {
 namespace {
@@ -27,11 +27,15 @@ struct PixelRays {
     std::uint32_t width, height;
 
     PixelRays(const Camera& camera, std::uint32_t w, std::uint32_t h)
-        : to_world(glm::transpose(glm::dmat3(camera.view))), half_width(1 / camera.projection[0][0]),
-          half_height(1 / camera.projection[1][1]), width(w), height(h) {}
+        : to_world(glm::transpose(glm::dmat3(camera.view))),
+          half_width(1 / camera.projection[0][0]),
+          half_height(1 / camera.projection[1][1]),
+          width(w),
+          height(h) {}
 
     [[nodiscard]] glm::dvec3 in_view(std::uint32_t x, std::uint32_t y) const {
-        return glm::normalize(glm::dvec3((2 * (x + 0.5) / width - 1) * half_width, (1 - 2 * (y + 0.5) / height) * half_height, -1));
+        return glm::normalize(
+            glm::dvec3((2 * (x + 0.5) / width - 1) * half_width, (1 - 2 * (y + 0.5) / height) * half_height, -1));
     }
 };
 
@@ -46,7 +50,8 @@ glm::dvec3 roughen(glm::dvec3 normal, glm::dvec2 place, double footprint_m) {
     const double delta = std::clamp(footprint_m, 0.25, 2.0);
     const auto bump = [&](glm::dvec2 p) { return strength * fractal_noise(p, coarsest_m, footprint_m, 7); };
     const double here = bump(place);
-    const glm::dvec2 slope((bump(place + glm::dvec2(delta, 0)) - here) / delta, (bump(place + glm::dvec2(0, delta)) - here) / delta);
+    const glm::dvec2 slope((bump(place + glm::dvec2(delta, 0)) - here) / delta,
+                           (bump(place + glm::dvec2(0, delta)) - here) / delta);
     return glm::normalize(glm::dvec3(normal.x - slope.x * normal.z, normal.y - slope.y * normal.z, normal.z));
 }
 

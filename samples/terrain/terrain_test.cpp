@@ -41,7 +41,8 @@ TEST_CASE("sky_irradiance: closed forms") {
     sky[6] = Rgb(1 / std::sqrt(5 / (16 * pi)));
     CHECK(sky_irradiance(sky, n).g == doctest::Approx(pi / 4 * (3 * n.z * n.z - 1)));
     const double y2 = std::sqrt(15 / (4 * pi));
-    const double expected[9] = {0, 0, 0, 0, y2 * n.x * n.y, y2 * n.y * n.z, 0, y2 * n.x * n.z, y2 * (n.x * n.x - n.y * n.y) / 2};
+    const double expected[9] = {
+        0, 0, 0, 0, y2 * n.x * n.y, y2 * n.y * n.z, 0, y2 * n.x * n.z, y2 * (n.x * n.x - n.y * n.y) / 2};
     for (const std::size_t i : {4u, 5u, 7u, 8u}) {
         sky = {};
         sky[i] = Rgb(expected[i] < 0 ? -1 : 1);
@@ -67,7 +68,8 @@ TEST_CASE("cast_terrain: colour, depth and sky of a flat land") {
     for (std::uint32_t y = 0; y < 40; ++y) {
         for (std::uint32_t x = 0; x < 60; ++x) {
             const std::size_t i = y * 60 + x;
-            const double px = (2 * (x + 0.5) / 60 - 1) / camera.projection[0][0], py = (1 - 2 * (y + 0.5) / 40) / camera.projection[1][1];
+            const double px = (2 * (x + 0.5) / 60 - 1) / camera.projection[0][0],
+                         py = (1 - 2 * (y + 0.5) / 40) / camera.projection[1][1];
             const glm::dvec3 view = glm::normalize(glm::dvec3(px, py, -1));
             // The same sphere as in closed form.
             const double mu = std::cos(-0.2) * view.y + std::sin(-0.2) * -view.z;
@@ -90,7 +92,8 @@ TEST_CASE("cast_terrain: colour, depth and sky of a flat land") {
     // albedo / pi (pi 0.5 + sun cos), within the spread of the roughness.
     Rgb mean(0);
     for (std::size_t x = 0; x < 60; ++x)
-        mean += Rgb(picture.rgba[4 * (39 * 60 + x)], picture.rgba[4 * (39 * 60 + x) + 1], picture.rgba[4 * (39 * 60 + x) + 2]) / 60.0;
+        mean += Rgb(picture.rgba[4 * (39 * 60 + x)], picture.rgba[4 * (39 * 60 + x) + 1], picture.rgba[4 * (39 * 60 + x) + 2]) /
+                60.0;
     const Rgb expected = *look.albedo / pi * (pi * 0.5 + Rgb(3, 2, 1) * sun.z);
     for (int c = 0; c < 3; ++c) CHECK(mean[c] == doctest::Approx(expected[c]).epsilon(0.05));
 }

@@ -251,12 +251,30 @@ def make_kernel(args):
     write_depfile(args, flat.files)
 
 
+# Global names of the kernel language: what the macros of prelude.glsl declare, structs and functions.
+GLOBALS = [re.compile(pattern, re.M) for pattern in (
+    r'^(?:CONST|SPEC_\w+|SAMPLER_\w+|UNIFORMS)\(\s*\w+\s*,\s*(\w+)', r'^UNIFORMS\([^,]*,[^,]*,\s*(\w+)', r'^struct\s+(\w+)',
+    r'^\w+\s+(\w+)\s*\(')]
+WORD_OR_COMMENT = re.compile(r'//[^\n]*|/\*.*?\*/|\b[A-Za-z_]\w*\b', re.S)
+MACRO = re.compile(r'^\s*#\s*define\s+(\w+)', re.M)
+
+
+def foreign_shader_text(text):
+    """Puts "aureole_private_" before the global names that are not Aureole's by their own, and ends with #undef of such macros, so
+    that a shader which includes the text keeps its names."""
+    names = {name for pattern in GLOBALS for name in pattern.findall(strip_comments(text))}
+    names = {name for name in names if not name.lower().startswith('aureole')}
+    macros = [name for name in dict.fromkeys(MACRO.findall(text)) if not name.startswith('AUREOLE_')]
+    renamed = WORD_OR_COMMENT.sub(lambda m: ('aureole_private_' if m[0] in names else '') + m[0], text)
+    return renamed + '\n' + ''.join(f'#undef {name}\n' for name in macros)
+
+
 def make_library(args):
     """One GLSL text of the prelude, a file and all that it includes: for shaders of others."""
     flat = Flattener(args.include)
     flat.add_file(args.prelude)
     flat.add_file(args.library)
-    write_whole(args.output, flat.text())
+    write_whole(args.output, foreign_shader_text(flat.text()))
     write_depfile(args, flat.files)
 
 

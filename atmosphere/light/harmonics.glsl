@@ -3,6 +3,8 @@
 #ifndef AUREOLE_HARMONICS_GLSL
 #define AUREOLE_HARMONICS_GLSL
 
+CONST(int, HARMONIC_COUNT, 9)
+
 real world_harmonic(int i, vec3 d) {
     if (i == 0) return real(0.28209479177387814);                                // 1 / (2 sqrt(pi))
     if (i == 1) return real(0.48860251190291992) * d.y;                          // sqrt(3 / (4 pi))
@@ -20,5 +22,8 @@ real cosine_lobe(int i) {
     if (i == 0) return real(3.14159265358979323846);
     return i < 4 ? real(2.09439510239319549231) : real(0.78539816339744830962);
 }
+
+// Irradiance that a coefficient of 1 gives a surface of this normal.
+real harmonic_irradiance(int i, vec3 normal) { return cosine_lobe(i) * world_harmonic(i, normal); }
 
 #endif

@@ -21,6 +21,7 @@ IMAGE_2D(5, light_out)
 #include "sky_view/sky_view.glsl"
 #include "phase/smooth_phase.glsl"
 #include "light/harmonics.glsl"
+#include "light/sun.glsl"
 
 CONST(int, LIGHT_ZENITHS, 8)
 CONST(int, LIGHT_AZIMUTHS, 12)
@@ -48,7 +49,7 @@ vec3 sky_coefficient(int sun, int coefficient) {
     vec3 sum = vec3(real(0));
     for (int half_sphere = 0; half_sphere < 2; ++half_sphere) {
         bool below = half_sphere == 1;
-        real range = sky_view_angle(real(1), below);
+        real range = below ? real(0.5) * PI - view.space.z : view.space.z - view.space.y;  // from the horizon to the last of the sky
         for (int i = 0; i < LIGHT_ZENITHS; ++i) {
             real s = zenith_quadrature.node[i].x;
             real angle = range * s * s;
@@ -65,24 +66,14 @@ vec3 sky_coefficient(int sun, int coefficient) {
     return sum;
 }
 
-// Share of a disk above a straight horizon, x radii above its centre.
-real visible_share(real x) {
-    real c = clamp(x, real(-1), real(1));
-    return real(0.5) + (c * sqrt(max(1 - c * c, real(0))) + asin(c)) / PI;
-}
-
-// Irradiance of a surface that faces the sun, from what the horizon leaves of its disk.
+// Irradiance of a surface that faces the sun, per unit of the sun's.
 vec3 sun_at_camera(int sun) {
-    if (view.camera.w > real(0.5)) return vec3(real(1));
-    real elevation = atan(view.sun_direction[sun].w, view.sun_azimuth[sun].w);
-    real radius = max(sqrt(view.sun_limb[sun].w), real(1e-6));
-    vec3 transmittance = transmittance_to_top(view.camera.x, view.sun_direction[sun].w);
-    return transmittance * visible_share((elevation + view.camera.z) / radius);
+    return sun_share(view.space.x, view.sun_direction[sun].w, view.sun_azimuth[sun].w, view.sun_limb[sun].w);
 }
 
 COMPUTE_MAIN(id) {
     int sun = id.y;
-    if (id.x > 9 || sun >= SUN_COUNT) return;
-    vec3 value = id.x < 9 ? sky_coefficient(sun, id.x) : sun_at_camera(sun);
+    if (id.x > HARMONIC_COUNT || sun >= SUN_COUNT) return;
+    vec3 value = id.x < HARMONIC_COUNT ? sky_coefficient(sun, id.x) : sun_at_camera(sun);
     imageStore(light_out, ivec2(id.x, sun), vec4(value * vec3(view.sun_irradiance[sun]), real(1)));
 }

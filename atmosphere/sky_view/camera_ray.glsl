@@ -2,19 +2,24 @@
 #ifndef AUREOLE_CAMERA_RAY_GLSL
 #define AUREOLE_CAMERA_RAY_GLSL
 
-// A ray of the camera, `angle` away from the horizon, moved to where it enters the shell if the camera is above it.
+// A ray of the camera, at the angle a from the horizon (negative below it), moved to where it enters the shell if the camera is
+// above it. Given is sin(a / 2): with it and the dip's cosine and sine no trigonometric function is needed, whose inverses devices
+// compute to four digits only.
 //
-// With e the elevation of the ray, the tangent point's altitude p - R = r cos(e) - R is, for a ray `angle` above the horizon
-// seen under the dip d (r cos d = R), r (cos(d - angle) - cos d) = 2 r sin(d - angle / 2) sin(angle / 2): no cancellation, so
-// the limb is exact from any distance. On the shell's top mu^2 = 1 - (p / T)^2 = (T - p) (T + p) / T^2.
-Ray camera_ray(real angle, real azimuth_cosine, int sun) {
+// With e = a - d the elevation of the ray, d the dip of the horizon (r cos d = R), the tangent point's altitude p - R is
+// r cos(e) - R = r (cos(d - a) - cos d) = 2 r sin(d - a / 2) sin(a / 2): no cancellation, so the limb is exact from any distance.
+// On the shell's top mu^2 = 1 - (p / T)^2 = (T - p) (T + p) / T^2.
+Ray camera_ray(real half_sine, real azimuth_cosine, int sun) {
     bool space = view.camera.w > real(0.5);
-    real dip = view.space.z;
-    real elevation = angle - dip;
-    real mu = sin(elevation);
-    real sine = cos(elevation);
+    real dip_cosine = view.horizon.x;
+    real dip_sine = view.horizon.y;
+    real half_cosine = sqrt(max(1 - half_sine * half_sine, real(0)));
+    real angle_sine = 2 * half_sine * half_cosine;
+    real angle_cosine = 1 - 2 * half_sine * half_sine;
+    real mu = clamp(angle_sine * dip_cosine - angle_cosine * dip_sine, real(-1), real(1));
+    real sine = max(angle_cosine * dip_cosine + angle_sine * dip_sine, real(0));
     Ray ray;
-    ray.ground = angle < 0;
+    ray.ground = half_sine < 0;
     ray.mu_s = view.sun_direction[sun].w;
     ray.nu = clamp(mu * ray.mu_s + sine * view.sun_azimuth[sun].w * azimuth_cosine, real(-1), real(1));
     ray.altitude = view.camera.x;
@@ -23,7 +28,7 @@ Ray camera_ray(real angle, real azimuth_cosine, int sun) {
         real radius = bottom_radius();
         real top = radius + shell_thickness();
         real r = radius + view.space.x;
-        real lowest = 2 * r * sin(dip - real(0.5) * angle) * sin(real(0.5) * angle);
+        real lowest = 2 * r * (dip_sine * half_cosine - dip_cosine * half_sine) * half_sine;
         real half_chord = sqrt(max((shell_thickness() - lowest) * (top + radius + lowest), real(0)));
         real t = max(-r * mu - half_chord, real(0));
         ray.altitude = shell_thickness();

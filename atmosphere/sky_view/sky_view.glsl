@@ -27,10 +27,11 @@ int sky_view_all_layers() { return SUN_COUNT * sky_view_layers() + 1; }
 // 2 sin(angle / 2), over the greatest that occurs. The chord costs a pixel no inverse trigonometry: with the direction's
 // parts (sine, mu) and the horizon's (cos dip, -sin dip) its square is (sine - cos dip)^2 + (mu + sin dip)^2, exact at the horizon.
 // Upper side: from the horizon to the zenith, or from space to the limb of the top; lower side: to the nadir.
-real sky_view_angle(real position, bool below) {
+real sky_view_half_sine(real position, bool below) {  // sin(angle / 2)
     real greatest = 1 / (below ? view.horizon.w : view.horizon.z);
-    return 2 * asin(min(real(0.5) * greatest * position * position, real(1)));
+    return min(real(0.5) * greatest * position * position, real(1));
 }
+real sky_view_angle(real position, bool below) { return 2 * asin(sky_view_half_sine(position, below)); }
 
 // x position of an azimuth with cosine c, and the cosine at a position. The published 2020 table uses sin(azimuth / 2).
 SPEC_BOOL(7, PUBLISHED_AZIMUTH, false)

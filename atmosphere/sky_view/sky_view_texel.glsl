@@ -13,9 +13,9 @@ void sky_view_texel(ivec2 id) {
     int half_rows = rows / 2;
     bool below = row < half_rows;
     real position = texel_to_unit(below ? row : row - half_rows, half_rows);
-    real angle = sky_view_angle(position, below);
+    real half_sine = sky_view_half_sine(position, below);
 
-    Ray ray = camera_ray(below ? -angle : angle, sky_view_azimuth_cosine(texel_to_unit(id.x, size.x)), sun);
+    Ray ray = camera_ray(below ? -half_sine : half_sine, sky_view_azimuth_cosine(texel_to_unit(id.x, size.x)), sun);
     ray.ground = below;
     if (below) ray.end = distance_to_ground(ray.altitude, ray.mu);
     RayLight light = march(ray);

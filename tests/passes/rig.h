@@ -1,0 +1,61 @@
+// One atmosphere and one view on a backend, small tables, and the places and hours at which passes are compared.
+#pragma once
+
+#include <aureole/atmosphere.h>
+#include <aureole/presets.h>
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "passes/backend.h"
+
+namespace aureole::passes {
+
+/// Small tables of odd shapes: no side is a multiple of a workgroup's, none is square.
+[[nodiscard]] QualitySettings small_quality();
+
+struct Setup {
+    AtmosphereParameters air = presets::earth();
+    QualitySettings quality = small_quality();
+    ViewSettings view{};
+    CompositeSettings composite{};
+};
+
+class Rig {
+public:
+    Rig(Backend& backend, const Setup& setup);
+
+    CommandCounts record_air();
+    /// Updates and records the view.
+    CommandCounts record_view(const Camera& camera, std::span<const Sun> suns);
+    CommandCounts record_view(const Camera& camera, const Sun& sun) { return record_view(camera, std::span(&sun, 1)); }
+    /// What the composite shows of the view as it was last recorded, in a target of the composite's format.
+    Image show(rhi::Extent extent, CompositeTargets targets = {});
+
+    [[nodiscard]] Image transmittance() { return backend.read(air.transmittance_table()); }
+    [[nodiscard]] Image multi_scatter() { return backend.read(air.multi_scatter_table()); }
+    [[nodiscard]] Image sky_view() { return backend.read(view.sky_view_table()); }
+    [[nodiscard]] Image froxels() { return backend.read(view.aerial_perspective_table()); }
+    [[nodiscard]] Image light() { return backend.read(view.light_table()); }
+
+    Backend& backend;
+    const Setup setup;
+    Atmosphere air;
+    View view;
+};
+
+/// Every preset by name.
+[[nodiscard]] std::span<const char* const> preset_names();
+
+/// The sun at an elevation, towards +x, seen from the +z pole.
+[[nodiscard]] Sun sun_at(double elevation_deg);
+/// At an altitude over the +z pole, looking a little below the horizon and 40 degrees away from the sun.
+[[nodiscard]] Camera camera_at(const Planet& planet, double altitude_m);
+
+/// Elevations from 90 to -12 degrees; altitudes from the ground to 1000 km, with both sides of the top.
+[[nodiscard]] std::span<const double> elevations_deg();
+[[nodiscard]] std::vector<double> altitudes_m(const Planet& planet);
+
+}  // namespace aureole::passes

@@ -43,7 +43,8 @@ glm::vec4 sun_mapping(const Planet& planet, Sampling sampling) {
     const double dip_sine = std::sqrt((1 - ratio) * (1 + ratio));
     // Published: linear in the cosine, which is the limit of a great width.
     const double centre = sampling == Sampling::gauss ? -0.2 * dip_sine : 0;
-    const double width = sampling == Sampling::gauss ? 0.8 * dip_sine : 1e3;
+    // A thin shell's dip is next to nothing, but the field by day still changes over the whole range of cosines.
+    const double width = sampling == Sampling::gauss ? std::max(0.8 * dip_sine, 0.1) : 1e3;
     const auto axis = [&](double mu) { return (mu - centre) / (width + std::abs(mu - centre)); };
     return {static_cast<float>(centre), static_cast<float>(width), static_cast<float>(axis(-1)), static_cast<float>(axis(1))};
 }

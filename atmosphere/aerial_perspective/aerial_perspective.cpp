@@ -2,6 +2,8 @@
 
 #include "aureole_atmosphere_shaders.h"
 
+#include <array>
+
 namespace aureole::detail {
 
 AerialPerspectivePass::AerialPerspectivePass(ViewResources& shared, bool enabled) : enabled_(enabled) {
@@ -11,9 +13,15 @@ AerialPerspectivePass::AerialPerspectivePass(ViewResources& shared, bool enabled
     const rhi::Extent size = quality.aerial_perspective;
     rhi::Extent extent;
     if (enabled) extent = {size.width, size.height * (1 + shared.suns * shared.layers_per_sun()), size.depth};
-    table_ = objects.texture({"aerial_perspective", rhi::Dimension::d3, quality.froxel_format, extent,
-                              rhi::Usage::sampled | rhi::Usage::storage});
-    if (!enabled) return;
+    const rhi::Usage written = enabled ? rhi::Usage::storage : rhi::Usage::copy_destination;
+    table_ = objects.texture(
+        {"aerial_perspective", rhi::Dimension::d3, quality.froxel_format, extent, rhi::Usage::sampled | written});
+    if (!enabled) {
+        const std::array<std::byte, 16> black{};
+        stand_in_ = objects.upload("aerial_perspective stand-in",
+                                   std::span(black.data(), rhi::bytes_per_texel(quality.froxel_format)));
+        return;
+    }
 
     // Ours: one invocation a column. Published: one a froxel.
     invocations_ = {size.width, size.height * shared.suns, published ? size.depth : 1};
@@ -30,7 +38,13 @@ AerialPerspectivePass::AerialPerspectivePass(ViewResources& shared, bool enabled
 }
 
 void AerialPerspectivePass::prepare(rhi::CommandList& commands) {
-    if (!enabled_) move(commands, {{&table_, rhi::State::sampled}});
+    if (enabled_ || table_.state != rhi::State::undefined) return;
+    const rhi::BufferBarrier readable{stand_in_.handle, stand_in_.state, rhi::State::copy_source};
+    commands.barrier({}, std::span(&readable, 1));
+    stand_in_.state = rhi::State::copy_source;
+    move(commands, {{&table_, rhi::State::copy_destination}});
+    commands.copy(rhi::BufferToTexture{stand_in_.handle, table_.handle});
+    move(commands, {{&table_, rhi::State::sampled}});
 }
 
 void AerialPerspectivePass::record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps,

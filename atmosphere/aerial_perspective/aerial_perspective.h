@@ -7,11 +7,11 @@ namespace aureole::detail {
 
 class AerialPerspectivePass {
 public:
-    /// `enabled` false: a texture of one texel stands in for the froxels, and record() only makes it readable.
+    /// `enabled` false: a texture of one black texel stands in for the froxels, and there is nothing to record but prepare().
     AerialPerspectivePass(ViewResources& shared, bool enabled);
 
     void record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
-    /// Makes the stand-in readable.
+    /// Fills the stand-in, once.
     void prepare(rhi::CommandList& commands);
     [[nodiscard]] bool enabled() const noexcept { return enabled_; }
     [[nodiscard]] TrackedTexture& table() noexcept { return table_; }
@@ -20,6 +20,7 @@ private:
     bool enabled_;
     const rhi::Shader* shader_ = nullptr;
     TrackedTexture table_;
+    TrackedBuffer stand_in_;  ///< Its texel.
     rhi::Extent invocations_;
     rhi::Pipeline pipeline_;
     rhi::BindingSet bindings_;

@@ -31,7 +31,6 @@ real sky_view_half_sine(real position, bool below) {  // sin(angle / 2)
     real greatest = 1 / (below ? view.horizon.w : view.horizon.z);
     return min(real(0.5) * greatest * position * position, real(1));
 }
-real sky_view_angle(real position, bool below) { return 2 * asin(sky_view_half_sine(position, below)); }
 
 // x position of an azimuth with cosine c, and the cosine at a position. The published 2020 table uses sin(azimuth / 2).
 SPEC_BOOL(7, PUBLISHED_AZIMUTH, false)

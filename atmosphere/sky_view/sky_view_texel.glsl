@@ -15,9 +15,7 @@ void sky_view_texel(ivec2 id) {
     real position = texel_to_unit(below ? row : row - half_rows, half_rows);
     real half_sine = sky_view_half_sine(position, below);
 
-    Ray ray = camera_ray(below ? -half_sine : half_sine, sky_view_azimuth_cosine(texel_to_unit(id.x, size.x)), sun);
-    ray.ground = below;
-    if (below) ray.end = distance_to_ground(ray.altitude, ray.mu);
+    Ray ray = camera_ray(half_sine, below, sky_view_azimuth_cosine(texel_to_unit(id.x, size.x)), sun);
     RayLight light = march(ray);
     vec3 radiance = light.multiple;
     if (below) {

@@ -7,14 +7,11 @@
 #include <algorithm>
 
 namespace aureole::detail {
-namespace {
 
-bool same(const CompositeTargets& a, const CompositeTargets& b) {
+bool same_targets(const CompositeTargets& a, const CompositeTargets& b) noexcept {
     return a.scene_color == b.scene_color && a.scene_depth == b.scene_depth && a.target == b.target &&
            a.directions == b.directions && a.extent == b.extent;
 }
-
-}  // namespace
 
 void validate(const CompositeSettings& settings) {
     check("composite.exposure", settings.exposure, 1e-30, 1e30);
@@ -84,9 +81,13 @@ void CompositePass::prepare(const CompositeTargets& targets) {
     prepared_.erase(oldest);
 }
 
+void CompositePass::release(const CompositeTargets& targets) noexcept {
+    std::erase_if(prepared_, [&](const Prepared& p) { return same_targets(p.targets, targets); });
+}
+
 CompositePass::Prepared* CompositePass::find(const CompositeTargets& targets) noexcept {
     for (Prepared& p : prepared_)
-        if (same(p.targets, targets)) return &p;
+        if (same_targets(p.targets, targets)) return &p;
     return nullptr;
 }
 

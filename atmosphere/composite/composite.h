@@ -9,6 +9,7 @@
 namespace aureole::detail {
 
 void validate(const CompositeSettings& settings);
+[[nodiscard]] bool same_targets(const CompositeTargets& a, const CompositeTargets& b) noexcept;
 
 class CompositePass {
 public:
@@ -17,6 +18,7 @@ public:
 
     /// Makes bindings for these textures, and forgets the longest unused ones beyond `max_prepared`.
     void prepare(const CompositeTargets& targets);
+    void release(const CompositeTargets& targets) noexcept;
     [[nodiscard]] bool prepared(const CompositeTargets& targets) noexcept { return find(targets) != nullptr; }
     void record(rhi::CommandList& commands, const CompositeTargets& targets, std::uint64_t frame, PassReport& report,
                 TimestampSlots timestamps, std::uint32_t index);

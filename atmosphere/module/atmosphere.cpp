@@ -42,9 +42,14 @@ AirTables::AirTables(rhi::Device& device, const std::uint64_t& frame, const Atmo
       phase_table(objects.texture(table_desc("phases", packed.phase_rows))),
       profile_upload(objects.upload("profiles upload", texels_or_zero(packed.profile_table))),
       phase_upload(objects.upload("phases upload", texels_or_zero(packed.phase_table))),
-      shared{objects,     structure,   quality,
-             block_buffer, profile_table, phase_table,
-             objects.sampler(rhi::Filter::linear), objects.sampler(rhi::Filter::nearest)},
+      shared{objects,
+             structure,
+             quality,
+             block_buffer,
+             profile_table,
+             phase_table,
+             objects.sampler(rhi::Filter::linear),
+             objects.sampler(rhi::Filter::nearest)},
       transmittance(shared),
       multi_scatter(shared, transmittance.table()) {}
 

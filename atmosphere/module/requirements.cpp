@@ -39,20 +39,22 @@ void require_device(const rhi::Device& device, const QualitySettings& quality) {
     const auto moments = static_cast<std::uint32_t>((quality.angular_order + 1) * (quality.angular_order + 2) / 2);
     const auto directions = static_cast<std::uint32_t>(2 * quality.multi_scatter_zenith * quality.multi_scatter_azimuth);
     const bool published = quality.sampling == Sampling::published_2020;
-    const std::uint32_t rays = published ? 2 * quality.multi_scatter.width * quality.multi_scatter.height
-                                         : quality.multi_scatter.height * directions;
+    const std::uint32_t rays =
+        published ? 2 * quality.multi_scatter.width * quality.multi_scatter.height : quality.multi_scatter.height * directions;
     const std::uint32_t widest =
         std::max({quality.transmittance.width, quality.transmittance.height, quality.multi_scatter.width,
                   quality.multi_scatter.height * moments + 1, quality.sky_view.width, quality.sky_view.height, rays, 4096U});
     require_size("device.max_texture_2d", capabilities.max_texture_2d, widest);
-    require_size("device.max_texture_3d", capabilities.max_texture_3d,
-                 std::max({quality.aerial_perspective.width, quality.aerial_perspective.height, quality.aerial_perspective.depth}));
+    require_size(
+        "device.max_texture_3d", capabilities.max_texture_3d,
+        std::max({quality.aerial_perspective.width, quality.aerial_perspective.height, quality.aerial_perspective.depth}));
 }
 
 void require_target(const rhi::Device& device, const CompositeSettings& settings) {
     const rhi::FormatSupport support = device.format_support(settings.target_format, rhi::Dimension::d2);
     const std::string what = std::string("device format ") + rhi::to_string(settings.target_format);
-    if (settings.raster && !device.capabilities().raster) missing("device.raster", "false", "true, or CompositeSettings::raster = false");
+    if (settings.raster && !device.capabilities().raster)
+        missing("device.raster", "false", "true, or CompositeSettings::raster = false");
     if (settings.raster && !support.color_attachment) missing(what, "no colour attachment", "colour attachment");
     if (!settings.raster && !support.storage) missing(what, "no storage", "storage, or CompositeSettings::raster = true");
 }

@@ -9,11 +9,11 @@
 
 #include <aureole/rhi/log.h>
 
+#include <spdlog/logger.h>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
-#include <spdlog/logger.h>
 
 namespace aureole {
 namespace detail {
@@ -100,9 +100,9 @@ struct View::Impl final : detail::AirUser {
         inputs.exposure = composite.exposure;
         validate(by);
         if (by.kind != settings.projection)
-            detail::reject("camera.kind", detail::projection_names[static_cast<int>(by.kind)],
-                           std::string("ViewSettings::projection, ") +
-                               detail::projection_names[static_cast<int>(settings.projection)]);
+            detail::reject(
+                "camera.kind", detail::projection_names[static_cast<int>(by.kind)],
+                std::string("ViewSettings::projection, ") + detail::projection_names[static_cast<int>(settings.projection)]);
         for (const Sun& sun : lit) validate(sun);
         inputs.table_exposure = detail::table_exposure(by, lit, air.parameters.planet.bottom_radius_m);
         return detail::pack_view(by, lit, air.parameters.planet, inputs);
@@ -177,6 +177,11 @@ void View::prepare_composite(const CompositeTargets& targets) {
     impl.tables->composite.prepare(targets);
     impl.targets.push_back(targets);
     if (impl.targets.size() > detail::CompositePass::max_prepared) impl.targets.erase(impl.targets.begin());
+}
+
+void View::release_composite(const CompositeTargets& targets) noexcept {
+    impl_->tables->composite.release(targets);
+    std::erase_if(impl_->targets, [&](const CompositeTargets& t) { return detail::same_targets(t, targets); });
 }
 
 void View::record_composite(rhi::CommandList& commands, const CompositeTargets& targets, TimestampSlots timestamps) {

@@ -30,7 +30,7 @@ namespace aureole {
 struct PassReport {
     std::string_view name{};  ///< "transmittance", "multi_scatter", "sky_view", "aerial_perspective", "light", "composite".
     bool recorded = false;    ///< False when nothing that it depends on had changed.
-    std::uint64_t invocations = 0;         ///< Shader invocations.
+    std::uint64_t invocations = 0;  ///< Shader invocations.
     std::uint64_t bytes_written = 0;
 };
 
@@ -81,7 +81,7 @@ private:
 enum class ToneMap : std::uint8_t { none, aces_fitted };
 
 struct ViewSettings {
-    Projection projection = Projection::matrix;  ///< Of every camera that the view is given: kernels are made for it.
+    Projection projection = Projection::matrix;    ///< Of every camera that the view is given: kernels are made for it.
     std::uint32_t max_suns = 1;                    ///< In [1, 4].
     bool aerial_perspective = true;                ///< False: no froxels; the composite leaves geometry as it is.
     double aerial_perspective_distance_m = 96000;  ///< Depth of the last slice. Finite, > 0.
@@ -129,6 +129,8 @@ public:
     void record(rhi::CommandList& commands, TimestampSlots timestamps = {});
     /// Prepares the bindings for these textures (may allocate; call when they change, at most once per swapchain image).
     void prepare_composite(const CompositeTargets& targets);
+    /// Forgets textures that are about to be destroyed (a resized swapchain). Unknown targets are ignored.
+    void release_composite(const CompositeTargets& targets) noexcept;
     /// Records the composite. `targets` must have been prepared.
     void record_composite(rhi::CommandList& commands, const CompositeTargets& targets, TimestampSlots timestamps = {});
     [[nodiscard]] std::span<const PassReport> reports() const noexcept;
@@ -141,11 +143,11 @@ public:
     [[nodiscard]] rhi::Texture light_table() const noexcept;
     [[nodiscard]] std::uint64_t table_bytes() const noexcept;
 
-    /// For a host's own shaders that include <aureole/glsl/aureole.glsl>: "#define AUREOLE_SPEC_<id> <value>" lines that go before
-    /// it, and what to bind beside the tables. Valid until the structure of the air changes (set_parameters).
+    /// For a host's own shaders that include <aureole/glsl/aureole.glsl>: "#define AUREOLE_SPEC_<id> <value>" lines that go
+    /// before it, and what to bind beside the tables. Valid until the structure of the air changes (set_parameters).
     [[nodiscard]] std::string shader_defines() const;
-    [[nodiscard]] rhi::Buffer air_block() const noexcept;    ///< Uniform block, State::constants after the first record.
-    [[nodiscard]] rhi::Buffer view_block() const noexcept;   ///< Uniform block, State::constants after the first record.
+    [[nodiscard]] rhi::Buffer air_block() const noexcept;     ///< Uniform block, State::constants after the first record.
+    [[nodiscard]] rhi::Buffer view_block() const noexcept;    ///< Uniform block, State::constants after the first record.
     [[nodiscard]] rhi::Texture phase_table() const noexcept;  ///< State::sampled after Atmosphere::record.
 
     struct Impl;

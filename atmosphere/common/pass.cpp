@@ -17,7 +17,8 @@ TrackedTexture Objects::texture(const rhi::TextureDesc& desc) {
     texture.handle = device_->create_texture(desc);
     handles_.emplace_back(texture.handle);
     texture.extent = desc.extent;
-    texture.bytes = std::uint64_t{desc.extent.width} * desc.extent.height * desc.extent.depth * rhi::bytes_per_texel(desc.format);
+    texture.bytes =
+        std::uint64_t{desc.extent.width} * desc.extent.height * desc.extent.depth * rhi::bytes_per_texel(desc.format);
     texture_bytes_ += texture.bytes;
     return texture;
 }
@@ -25,8 +26,7 @@ TrackedTexture Objects::texture(const rhi::TextureDesc& desc) {
 TrackedBuffer Objects::constants(std::string_view name, std::size_t size) {
     handles_.reserve(handles_.size() + 1);
     TrackedBuffer buffer;
-    buffer.handle =
-        device_->create_buffer({std::string(name), size, rhi::Usage::constants | rhi::Usage::copy_destination});
+    buffer.handle = device_->create_buffer({std::string(name), size, rhi::Usage::constants | rhi::Usage::copy_destination});
     handles_.emplace_back(buffer.handle);
     return buffer;
 }

@@ -41,8 +41,10 @@ public:
     [[nodiscard]] TrackedBuffer upload(std::string_view name, std::span<const std::byte> bytes);
     [[nodiscard]] rhi::Sampler sampler(rhi::Filter filter);
     [[nodiscard]] rhi::Pipeline compute(const rhi::Shader& shader, std::span<const rhi::Specialization> values);
-    [[nodiscard]] rhi::Pipeline raster(const rhi::Shader& shader, std::span<const rhi::Specialization> values, rhi::Format target);
-    [[nodiscard]] rhi::BindingSet bindings(std::string_view name, rhi::Pipeline pipeline, std::initializer_list<rhi::Binding> slots) {
+    [[nodiscard]] rhi::Pipeline raster(const rhi::Shader& shader, std::span<const rhi::Specialization> values,
+                                       rhi::Format target);
+    [[nodiscard]] rhi::BindingSet bindings(std::string_view name, rhi::Pipeline pipeline,
+                                           std::initializer_list<rhi::Binding> slots) {
         return bindings(name, pipeline, std::span(slots.begin(), slots.size()));
     }
     [[nodiscard]] rhi::BindingSet bindings(std::string_view name, rhi::Pipeline pipeline, std::span<const rhi::Binding> slots);

@@ -16,7 +16,8 @@ LightPass::LightPass(ViewResources& shared, TrackedTexture& sky_view, bool enabl
                               rhi::Usage::sampled | rhi::Usage::storage | rhi::Usage::copy_source});
     rule_ = quadrature_block(zenith_nodes);
     quadrature_ = objects.constants("light quadrature", sizeof rule_);
-    pipeline_ = objects.compute(shaders::light, shared.specialize().set(14, 5).values());
+    // Phase functions up to degree 8: with 12 azimuths, degrees from 10 on would be taken for those that are wanted.
+    pipeline_ = objects.compute(shaders::light, shared.specialize().set(14, 8).values());
     bindings_ = objects.bindings("light", pipeline_,
                                  {{0, {}, {}, shared.air.block.handle},
                                   {1, {}, {}, shared.block.handle},

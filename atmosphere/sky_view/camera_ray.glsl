@@ -4,11 +4,13 @@
 
 // A ray of the camera, at the angle a above or below the horizon, moved to where it enters the shell if the camera is above it.
 // Given is sin(a / 2) >= 0: with it and the dip's cosine and sine no trigonometric function is needed, whose inverses devices
-// compute to four digits only. The horizon belongs to both sides: above it its ray goes on to the top, below it it ends on the ground.
+// compute to four digits only. The horizon belongs to both sides: above it its ray goes on to the top, below it it ends on the
+// ground.
 //
-// With e = a - d the elevation of the ray, d the dip of the horizon (r cos d = R), a < 0 below, the tangent point's altitude p - R is
-// r cos(e) - R = r (cos(d - a) - cos d) = 2 r sin(d - a / 2) sin(a / 2): no cancellation, so the limb is exact from any distance.
-// On the shell's top mu^2 = 1 - (p / T)^2 = (T - p) (T + p) / T^2. The ground is met sqrt(R^2 - p^2) before the tangent point.
+// With e = a - d the elevation of the ray, d the dip of the horizon (r cos d = R), a < 0 below, the tangent point's altitude
+// p - R is r cos(e) - R = r (cos(d - a) - cos d) = 2 r sin(d - a / 2) sin(a / 2): no cancellation, so the limb is exact from any
+// distance. On the shell's top mu^2 = 1 - (p / T)^2 = (T - p) (T + p) / T^2. The ground is met sqrt(R^2 - p^2) before the tangent
+// point.
 Ray camera_ray(real half_sine, bool below, real azimuth_cosine, int sun) {
     bool space = view.camera.w > real(0.5);
     real radius = bottom_radius();

@@ -27,15 +27,14 @@ QualitySettings small_quality() {
     return quality;
 }
 
-Rig::Rig(Backend& backend_in, const Setup& setup_in)
-    : backend(backend_in),
-      setup(setup_in),
-      air(backend.device(), setup.air, setup.quality),
-      view(air, setup.view, setup.composite) {}
+AirRig::AirRig(Backend& backend_in, const Setup& setup_in)
+    : backend(backend_in), setup(setup_in), air(backend.device(), setup.air, setup.quality) {}
 
-CommandCounts Rig::record_air() {
+CommandCounts AirRig::record_air() {
     return backend.run([&](rhi::CommandList& commands) { air.record(commands); });
 }
+
+Rig::Rig(Backend& backend_in, const Setup& setup_in) : AirRig(backend_in, setup_in), view(air, setup.view, setup.composite) {}
 
 CommandCounts Rig::record_view(const Camera& camera, std::span<const Sun> suns) {
     view.update(camera, suns);

@@ -23,26 +23,34 @@ struct Setup {
     CompositeSettings composite{};
 };
 
-class Rig {
+/// An atmosphere alone.
+class AirRig {
+public:
+    AirRig(Backend& backend, const Setup& setup);
+
+    CommandCounts record_air();
+    [[nodiscard]] Image transmittance() { return backend.read(air.transmittance_table()); }
+    [[nodiscard]] Image multi_scatter() { return backend.read(air.multi_scatter_table()); }
+
+    Backend& backend;
+    const Setup setup;
+    Atmosphere air;
+};
+
+class Rig : public AirRig {
 public:
     Rig(Backend& backend, const Setup& setup);
 
-    CommandCounts record_air();
     /// Updates and records the view.
     CommandCounts record_view(const Camera& camera, std::span<const Sun> suns);
     CommandCounts record_view(const Camera& camera, const Sun& sun) { return record_view(camera, std::span(&sun, 1)); }
     /// What the composite shows of the view as it was last recorded, in a target of the composite's format.
     Image show(rhi::Extent extent, CompositeTargets targets = {});
 
-    [[nodiscard]] Image transmittance() { return backend.read(air.transmittance_table()); }
-    [[nodiscard]] Image multi_scatter() { return backend.read(air.multi_scatter_table()); }
     [[nodiscard]] Image sky_view() { return backend.read(view.sky_view_table()); }
     [[nodiscard]] Image froxels() { return backend.read(view.aerial_perspective_table()); }
     [[nodiscard]] Image light() { return backend.read(view.light_table()); }
 
-    Backend& backend;
-    const Setup setup;
-    Atmosphere air;
     View view;
 };
 

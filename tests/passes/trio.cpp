@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdio>
+
 namespace aureole::passes {
 
 std::string Images::unsound(bool signed_too) const {
@@ -13,10 +15,17 @@ std::string Images::unsound(bool signed_too) const {
     return problem.empty() ? problem : "Vulkan: " + problem;
 }
 
-void Precision::compare(const Images& images, std::uint32_t begin, std::uint32_t count, const Measure& measure,
-                        std::string_view where) {
-    exact.compare(images.single, images.exact, begin, count, measure, where);
-    if (images.vulkan) vulkan.compare(*images.vulkan, images.single, begin, count, measure, where);
+std::string place_name(std::string_view preset, double altitude_m, double elevation_deg) {
+    char text[80];
+    std::snprintf(text, sizeof text, "%.*s, %.10g m, sun at %g deg", static_cast<int>(preset.size()), preset.data(), altitude_m,
+                  elevation_deg);
+    return text;
+}
+
+void Precision::compare(const Images& images, std::uint32_t begin, std::uint32_t count, const Measure& with_vulkan,
+                        const Measure& with_exact, std::string_view where) {
+    exact.compare(images.single, images.exact, begin, count, with_exact, where);
+    if (images.vulkan) vulkan.compare(*images.vulkan, images.single, begin, count, with_vulkan, where);
 }
 
 void Precision::check(std::string_view pass, std::string_view what, double vulkan_bound, double exact_bound) const {

@@ -60,12 +60,32 @@ public:
     std::optional<R> vulkan;
 };
 
+/// "earth, 2 m, sun at 45 deg"
+[[nodiscard]] std::string place_name(std::string_view preset, double altitude_m, double elevation_deg);
+
+/// Records the view at every altitude and hour (rig.h), and calls `visit(where)` after each.
+template <class Visit>
+void sweep(Trio<Rig>& trio, std::string_view preset, const Visit& visit) {
+    const Planet& planet = trio.single.setup.air.planet;
+    for (const double altitude : altitudes_m(planet)) {
+        for (const double elevation : elevations_deg()) {
+            trio.each([&](Rig& rig) { rig.record_view(camera_at(planet, altitude), sun_at(elevation)); });
+            visit(place_name(preset, altitude, elevation));
+        }
+    }
+}
+
 /// Worst differences: of Vulkan from CPU float, and of CPU float from CPU double.
 struct Precision {
     Worst vulkan, exact;
 
+    /// `with_exact`: how CPU float and CPU double are compared.
+    void compare(const Images& images, std::uint32_t begin, std::uint32_t count, const Measure& with_vulkan,
+                 const Measure& with_exact, std::string_view where);
     void compare(const Images& images, std::uint32_t begin, std::uint32_t count, const Measure& measure,
-                 std::string_view where);
+                 std::string_view where) {
+        compare(images, begin, count, measure, measure, where);
+    }
     void compare(const Images& images, const Measure& measure, std::string_view where) {
         compare(images, 0, images.single.extent.height, measure, where);
     }

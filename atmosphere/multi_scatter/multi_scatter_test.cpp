@@ -1,0 +1,183 @@
+// The multi-scatter pass on every backend, and its fixed point spread over frames.
+#include <doctest/doctest.h>
+
+#include "module/air.h"
+#include "passes/trio.h"
+
+using namespace aureole;
+using namespace aureole::passes;
+
+namespace {
+
+struct Variant {
+    rhi::Extent size;
+    int order, zenith, azimuth, nodes, orders;
+    Sampling sampling = Sampling::gauss;
+};
+
+Setup setup_of(const char* preset, const Variant& variant) {
+    Setup setup;
+    setup.air = presets::by_name(preset);
+    if (variant.sampling == Sampling::published_2020) setup.quality = QualitySettings::published_2020();
+    setup.quality.transmittance = {40, 12, 1};
+    setup.quality.multi_scatter = variant.size;
+    setup.quality.angular_order = variant.order;
+    setup.quality.multi_scatter_zenith = variant.zenith;
+    setup.quality.multi_scatter_azimuth = variant.azimuth;
+    setup.quality.multi_scatter_nodes = variant.nodes;
+    setup.quality.multi_scatter_orders = variant.orders;
+    return setup;
+}
+
+/// Mean radiance, ratios of moments, irradiance of the ground.
+struct Parts {
+    Precision mean, ratios, ground;
+
+    void compare(const Images& tables, const Variant& variant, const std::string& where) {
+        const std::uint32_t rows = variant.size.height, last = tables.single.extent.height - 1;
+        mean.compare(tables, 0, rows, {Measure::Kind::logarithm}, where);
+        // Moments over the mean, of order 1: what they contribute is compared with what the mean does.
+        ratios.compare(tables, rows, last - rows, {Measure::Kind::absolute}, where);
+        ground.compare(tables, last, 1, {Measure::Kind::logarithm}, where);
+    }
+    void check(const std::string& how, double vulkan_bound, double exact_bound, double exact_ratio_bound) const {
+        mean.check("multi-scatter", "mean radiance, " + how, vulkan_bound, exact_bound);
+        ratios.check("multi-scatter", "moments over the mean, " + how, vulkan_bound, exact_ratio_bound);
+        ground.check("multi-scatter", "irradiance of the ground, " + how, vulkan_bound, exact_bound);
+    }
+};
+
+constexpr Variant usual{{10, 6, 1}, 2, 3, 3, 6, 3};
+constexpr Variant others[] = {{{7, 9, 1}, 0, 3, 3, 6, 1}, {{8, 8, 1}, 4, 5, 5, 8, 2}, {{17, 3, 1}, 8, 5, 9, 8, 2}};
+constexpr Variant published{{9, 7, 1}, 0, 8, 8, 20, 1, Sampling::published_2020};
+
+/// `shared`: the pass alone, from the same transmittance table; else each backend goes on from its own.
+void measure(Parts& parts, Backends& backends, std::span<const char* const> presets, const Variant& variant, bool shared) {
+    for (const char* preset : presets) {
+        const std::string where = std::string(preset) + ", order " + std::to_string(variant.order);
+        CAPTURE(where);
+        Trio<AirRig> trio(backends, setup_of(preset, variant));
+        trio.record_air();
+        if (shared) {
+            trio.share_air();
+            trio.each([](AirRig& rig) {
+                rig.air.impl().tables->multi_scatter.restart();
+                CHECK(rig.record_air().dispatches > 0);
+                CHECK(!rig.air.reports()[0].recorded);
+            });
+        }
+        const Images tables = trio.read(&AirRig::multi_scatter);
+        CHECK(tables.unsound(true) == "");
+        parts.compare(tables, variant, where);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("multi-scatter: every backend makes the same table from the same transmittance") {
+    Backends backends;
+    Parts parts;
+    measure(parts, backends, preset_names(), usual, true);
+    constexpr const char* earth[] = {"earth"};
+    for (const Variant& variant : others) measure(parts, backends, earth, variant, true);
+    parts.check("alone", 1e-4, 3e-4, 3e-3);
+}
+
+TEST_CASE("multi-scatter: every backend makes the same table from its own transmittance") {
+    Backends backends;
+    Parts parts;
+    measure(parts, backends, preset_names(), usual, false);
+    parts.check("own transmittance", 1e-4, 3e-4, 3e-3);
+}
+
+TEST_CASE("multi-scatter: the published 2020 table, from the same transmittance") {
+    // The transmittance is in half floats there: a step of it is much where the light is 1e-16 of the sun's.
+    Backends backends;
+    Parts parts;
+    measure(parts, backends, preset_names(), published, true);
+    parts.check("alone, published 2020", 1e-4, 1e-3, 1e-6);
+}
+
+namespace {
+
+AtmosphereParameters with_albedo(double albedo) {
+    AtmosphereParameters air = presets::earth();
+    air.planet.ground_albedo = Rgb(albedo);
+    return air;
+}
+
+/// Frames until the table for `wanted` stands, n passes of the fixed point each; meanwhile the old one stays as it is.
+int frames_until_solved(Backend& backend, int orders, int passes) {
+    Setup before;
+    before.air = with_albedo(0.1);
+    before.quality.multi_scatter_orders = orders;
+    Setup after = before;
+    after.air = with_albedo(0.9);
+    AirRig wanted(backend, after);
+    wanted.record_air();
+
+    AirRig rig(backend, before);
+    rig.air.set_multi_scatter_passes_per_frame(passes);
+    rig.record_air();  // at once: there is no older table to show meanwhile
+    const Image old_table = rig.multi_scatter();
+    CHECK(rig.record_air().total() == 0);
+    REQUIRE(old_table != wanted.multi_scatter());
+
+    rig.air.set_parameters(after.air);
+    for (int frame = 1; frame < 100; ++frame) {
+        CHECK(rig.record_air().total() > 0);
+        CHECK(rig.air.reports()[1].recorded);
+        if (rig.multi_scatter() == old_table) continue;
+        CHECK(rig.multi_scatter() == wanted.multi_scatter());
+        CHECK(rig.record_air().total() == 0);
+        return frame;
+    }
+    return 0;
+}
+
+void check_spreading(Backend& backend) {
+    CHECK(frames_until_solved(backend, 3, 1) == 3);
+    CHECK(frames_until_solved(backend, 4, 1) == 4);
+    CHECK(frames_until_solved(backend, 3, 2) == 2);
+    CHECK(frames_until_solved(backend, 1, 1) == 1);
+    CHECK(frames_until_solved(backend, 3, 0) == 1);
+    CHECK(frames_until_solved(backend, 3, 64) == 1);
+}
+
+}  // namespace
+
+TEST_CASE("multi-scatter: spread over frames it ends in the very same table, and the old one is whole until then") {
+    check_spreading(*open_cpu_float());
+    if (const auto vulkan = open_vulkan()) check_spreading(*vulkan);
+}
+
+TEST_CASE("multi-scatter: a change while the solution is spread starts it anew") {
+    const auto cpu = open_cpu_float();
+    Setup setup;
+    setup.air = with_albedo(0.2);
+    AirRig rig(*cpu, setup);
+    rig.record_air();
+    rig.air.set_multi_scatter_passes_per_frame(1);
+    rig.air.set_parameters(with_albedo(0.9));
+    rig.record_air();
+    rig.record_air();
+    rig.air.set_parameters(with_albedo(0.5));
+    for (int frame = 0; frame < 3; ++frame) CHECK(rig.record_air().total() > 0);
+    CHECK(rig.record_air().total() == 0);
+
+    setup.air = with_albedo(0.5);
+    AirRig wanted(*cpu, setup);
+    wanted.record_air();
+    CHECK(rig.multi_scatter() == wanted.multi_scatter());
+}
+
+TEST_CASE("multi-scatter: refused numbers of passes change nothing") {
+    const auto cpu = open_cpu_float();
+    AirRig rig(*cpu, {});
+    CHECK_THROWS_AS(rig.air.set_multi_scatter_passes_per_frame(-1), Error);
+    CHECK_THROWS_AS(rig.air.set_multi_scatter_passes_per_frame(65), Error);
+    rig.record_air();
+    rig.air.set_parameters(with_albedo(0.7));
+    rig.record_air();
+    CHECK(rig.record_air().total() == 0);  // still solved at once
+}

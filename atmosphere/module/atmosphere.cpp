@@ -2,6 +2,7 @@
 #include "module/requirements.h"
 
 #include "common/check.h"
+#include "multi_scatter/order_ratio.h"
 
 #include <algorithm>
 
@@ -51,7 +52,7 @@ AirTables::AirTables(rhi::Device& device, const std::uint64_t& frame, const Atmo
              objects.sampler(rhi::Filter::linear),
              objects.sampler(rhi::Filter::nearest)},
       transmittance(shared),
-      multi_scatter(shared, transmittance.table()) {}
+      multi_scatter(shared, transmittance.table(), order_ratio(parameters)) {}
 
 bool AirTables::fits(const PackedAtmosphere& packed) const {
     // Tables of the host's are uploaded once, when they are made.
@@ -62,7 +63,7 @@ void AirTables::set_block(const AtmosphereParameters& parameters, const PackedAt
     block = block_of(parameters, packed, quality.sampling);
     block_changed_ = true;
     transmittance_stale_ = true;
-    multi_scatter.restart();
+    multi_scatter.restart(order_ratio(parameters));
 }
 
 void AirTables::record_uploads(rhi::CommandList& commands) {

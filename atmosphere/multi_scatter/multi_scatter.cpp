@@ -1,5 +1,6 @@
 #include "multi_scatter/multi_scatter.h"
 
+#include "multi_scatter/order_ratio.h"
 #include "quadrature/gauss_legendre.h"
 
 #include "aureole_atmosphere_shaders.h"
@@ -49,13 +50,19 @@ glm::vec4 sun_mapping(const Planet& planet, Sampling sampling) {
     return {static_cast<float>(centre), static_cast<float>(width), static_cast<float>(axis(-1)), static_cast<float>(axis(1))};
 }
 
-MultiScatterPass::MultiScatterPass(AirResources& shared, TrackedTexture& transmittance)
-    : published_(shared.quality.sampling == Sampling::published_2020),
-      passes_(published_ ? 1 : shared.quality.multi_scatter_orders) {
+MultiScatterPass::MultiScatterPass(AirResources& shared, TrackedTexture& transmittance, double ratio)
+    : published_(shared.quality.sampling == Sampling::published_2020), orders_(shared.quality.multi_scatter_orders) {
+    restart(ratio);
     table_ = shared.objects.texture(
         {"multi_scatter", rhi::Dimension::d2, table_format(shared.objects.device()), table_extent(shared.quality), table_usage});
     if (published_) create_published(shared, transmittance);
     else create_gauss(shared, transmittance);
+}
+
+void MultiScatterPass::restart(double ratio) noexcept {
+    passes_ = published_ ? 1 : passes_for(ratio, orders_);
+    greatest_ratio_ = static_cast<float>(greatest_ratio(ratio));
+    next_ = 0;
 }
 
 void MultiScatterPass::create_gauss(AirResources& shared, TrackedTexture& transmittance) {
@@ -172,7 +179,7 @@ void MultiScatterPass::record_gauss(rhi::CommandList& commands, PassScope& scope
     move(commands, {{&rays_, rhi::State::sampled},
                     {&order_[parity], rhi::State::storage_write},
                     {&sum_out, rhi::State::storage_write}});
-    const glm::vec4 flags(first ? 1.0F : 0.0F, last ? 1.0F : 0.0F, 0.0F, 0.0F);
+    const glm::vec4 flags(first ? 1.0F : 0.0F, last ? 1.0F : 0.0F, greatest_ratio_, 0.0F);
     scope.dispatch(shaders::multi_scatter_moments, moments_,
                    first ? first_moments_bindings_[last ? 1 : 0] : moments_bindings_[last ? 1 : 0][parity], table_.extent,
                    std::as_bytes(std::span(&flags, 1)));

@@ -10,10 +10,13 @@ namespace aureole::detail {
 
 class MultiScatterPass {
 public:
-    MultiScatterPass(AirResources& shared, TrackedTexture& transmittance);
+    /// `ratio`: order_ratio of the air.
+    MultiScatterPass(AirResources& shared, TrackedTexture& transmittance, double ratio);
 
     /// Starts anew: the air has changed.
     void restart() noexcept { next_ = 0; }
+    /// The same, for air whose order_ratio may be another one.
+    void restart(double ratio) noexcept;
     [[nodiscard]] bool finished() const noexcept { return next_ >= passes_; }
     /// Records up to `passes` passes of the fixed point (0: all that remain). The table changes with the last one only.
     void record(rhi::CommandList& commands, int passes, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
@@ -27,7 +30,8 @@ private:
     void record_published(rhi::CommandList& commands, PassScope& scope);
 
     bool published_;
-    int passes_, next_ = 0;
+    int orders_, passes_, next_ = 0;
+    float greatest_ratio_;
     TrackedTexture table_, rays_, order_[2], sum_[2];
     TrackedBuffer ray_quadrature_, zenith_quadrature_;
     QuadratureBlock ray_rule_, zenith_rule_;

@@ -14,7 +14,7 @@ IMAGE_2D(5, order_out)
 IMAGE_2D(6, sum_out)
 
 struct MultiScatterPass {
-    vec4 flags;  // x: 1 in the first pass (nothing came before), y: 1 in the last
+    vec4 flags;  // x: 1 in the first pass (nothing came before), y: 1 in the last, z: greatest ratio of orders to extrapolate with
 };
 PUSH_CONSTANTS(MultiScatterPass, pass)
 
@@ -46,7 +46,7 @@ real harmonic(int l, int m, real z, real x) {
 
 // The orders left out, relative to this one: r + r^2 + ... with r the ratio of the last two orders.
 vec3 remaining_orders(vec3 current, vec3 before) {
-    vec3 ratio = clamp(current / max(before, vec3(LEAST_RADIANCE)), vec3(real(0)), vec3(real(0.98)));
+    vec3 ratio = clamp(current / max(before, vec3(LEAST_RADIANCE)), vec3(real(0)), vec3(pass.flags.z));
     return ratio / (vec3(real(1)) - ratio);
 }
 

@@ -27,7 +27,8 @@ struct QualitySettings {
     int multi_scatter_zenith = 4;          ///< Gauss directions on each side of the horizon, in [2, 16].
     int multi_scatter_azimuth = 3;         ///< Directions on a half circle, in [2, 32].
     int multi_scatter_nodes = 8;           ///< Gauss nodes a ray (uniform steps in published_2020), in [2, 16] ([1, 256]).
-    int multi_scatter_orders = 3;          ///< Passes of the fixed point before the rest is extrapolated, in [1, 64].
+    int multi_scatter_orders = 3;          ///< Passes of the fixed point before the rest is extrapolated, in [1, 64]. Air in
+                                           ///< which orders fade more slowly than in a clear sky gets more, up to 64.
 
     rhi::Extent sky_view{32, 192, 1};  ///< Azimuth x elevation nodes. Each in [4, 4096].
     int sky_view_nodes = 8;            ///< Gauss nodes a ray segment (uniform steps in published_2020), in [2, 16] ([1, 256]).

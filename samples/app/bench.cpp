@@ -21,11 +21,16 @@ constexpr std::array<const char*, 4> qualities{"low", "default", "high", "publis
 constexpr std::array<const char*, 7> pass_names{"transmittance", "multi_scatter", "sky_view",          "aerial_perspective",
                                                 "light",         "composite",     "composite_geometry"};
 
-CompositeSettings display_settings(bool raster, bool geometry) {
+rhi::Format target_format(const BenchOptions& options) {
+    return options.linear ? rhi::Format::rgba16_float : rhi::Format::rgba8_unorm;
+}
+
+CompositeSettings composite_settings(const BenchOptions& options, bool geometry) {
     CompositeSettings settings;
-    settings.target_format = rhi::Format::rgba8_unorm;
-    settings.raster = raster;
+    settings.target_format = target_format(options);
+    settings.raster = options.raster;
     settings.scene_color = settings.scene_depth = geometry;
+    if (options.linear) return settings;
     settings.exposure = 10;
     settings.tone_map = ToneMap::aces_fitted;
     settings.encode_srgb = settings.dither = true;
@@ -45,7 +50,7 @@ struct Textures {
         state = options.raster ? rhi::State::color_attachment : rhi::State::storage_write;
         plain.extent = geometry.extent = extent;
         plain.target = geometry.target =
-            own.create("picture", rhi::Format::rgba8_unorm, extent, written | rhi::Usage::copy_source);
+            own.create("picture", target_format(options), extent, written | rhi::Usage::copy_source);
         own.make_ready(plain.target, state);
 
         constexpr rhi::Usage given = rhi::Usage::sampled | rhi::Usage::copy_destination;
@@ -77,8 +82,8 @@ public:
           textures_(textures),
           camera_(bench_camera(options)),
           air_(backend.device(), presets::earth(), QualitySettings::by_name(quality)),
-          plain_(air_, {}, display_settings(options.raster, false)),
-          geometry_(air_, {}, display_settings(options.raster, true)) {
+          plain_(air_, {}, composite_settings(options, false)),
+          geometry_(air_, {}, composite_settings(options, true)) {
         result.quality = quality;
         plain_.prepare_composite(textures.plain);
         geometry_.prepare_composite(textures.geometry);

@@ -18,7 +18,8 @@ struct BenchOptions {
     std::uint32_t frames = 20;  ///< Measured rounds.
     std::uint32_t warm_up = 2;  ///< Rounds before them that are thrown away.
     bool raster = false;
-    bool counts = true;  ///< Also count the passes' work, with a run on the CPU backend.
+    bool linear = false;  ///< Composite into half floats, without exposure, tone map, sRGB curve and dither.
+    bool counts = true;   ///< Also count the passes' work, with a run on the CPU backend.
 };
 
 /// Milliseconds: the middle and what 80 % of the samples lie between.

@@ -96,9 +96,9 @@ void run_bench(const BenchCommand& command) {
     if (command.json.empty()) return;
 
     const rhi::Capabilities& c = backend->device().capabilities();
-    nlohmann::json out{{"backend", backend->name()}, {"device", c.device},      {"driver", c.driver},
-                       {"threads", c.threads},       {"width", options.width},  {"height", options.height},
-                       {"rounds", options.frames},   {"raster", options.raster}};
+    nlohmann::json out{{"backend", backend->name()}, {"device", c.device},       {"driver", c.driver},
+                       {"threads", c.threads},       {"width", options.width},   {"height", options.height},
+                       {"rounds", options.frames},   {"raster", options.raster}, {"linear", options.linear}};
     for (const BenchResult& result : results) out["qualities"].push_back(to_json(result, results.back()));
     write_text(command.json, out.dump(2) + "\n");
 }
@@ -117,6 +117,8 @@ void add_bench_command(CLI::App& program) {
         ->check(CLI::Range(1u, 100000u))
         ->default_str("20");
     command->add_flag("--raster", options->options.raster, "Composite with a full-screen draw instead of a compute pass");
+    command->add_flag("--linear", options->options.linear,
+                      "Composite into half floats as they are, without exposure, tone map, sRGB curve and dither");
     command->add_option("--json", options->json, "Also write everything as JSON");
     command->callback([options] { run_bench(*options); });
 }

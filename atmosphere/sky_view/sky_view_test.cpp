@@ -8,8 +8,9 @@ using namespace aureole::passes;
 
 namespace {
 
-// Light a billionth of the brightest in the table is not seen, and a millionth of optical depth takes nothing away.
-constexpr Measure radiance{Measure::Kind::relative, 0, 1e-9};
+// Light a billionth of the brightest in the table is not seen, nor 1e-20 of the sun's; a millionth of optical depth takes
+// nothing away.
+constexpr Measure radiance{Measure::Kind::relative, 1e-20, 1e-9};
 constexpr Measure depth{Measure::Kind::relative, 1e-6};
 // In double, the float's rounding shows where little is left: rays that graze the top, light that hardly reaches a place.
 constexpr Measure coarse_radiance{Measure::Kind::relative, 0, 1e-3};

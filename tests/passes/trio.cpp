@@ -15,6 +15,16 @@ std::string Images::unsound(bool signed_too) const {
     return problem.empty() ? problem : "Vulkan: " + problem;
 }
 
+void share_view(Trio<Rig>& trio) {
+    const Image sky = trio.single.sky_view();
+    const bool has_froxels = trio.single.setup.view.aerial_perspective;
+    const Image froxels = has_froxels ? trio.single.froxels() : Image{};
+    trio.each([&](Rig& rig) {
+        rig.backend.write(rig.view.sky_view_table(), sky);
+        if (has_froxels) rig.backend.write(rig.view.aerial_perspective_table(), froxels);
+    });
+}
+
 std::string place_name(std::string_view preset, double altitude_m, double elevation_deg) {
     char text[80];
     std::snprintf(text, sizeof text, "%.*s, %.10g m, sun at %g deg", static_cast<int>(preset.size()), preset.data(), altitude_m,

@@ -60,6 +60,9 @@ public:
     std::optional<R> vulkan;
 };
 
+/// Gives all of them the CPU float's tables of the view.
+void share_view(Trio<Rig>& trio);
+
 /// "earth, 2 m, sun at 45 deg"
 [[nodiscard]] std::string place_name(std::string_view preset, double altitude_m, double elevation_deg);
 

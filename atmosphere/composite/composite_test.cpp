@@ -1,0 +1,143 @@
+// The composite on every backend, as compute and as a draw, over a host's colour and depth in every convention.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "passes/scene.h"
+#include "passes/trio.h"
+
+using namespace aureole;
+using namespace aureole::passes;
+
+namespace {
+
+constexpr rhi::Extent size{37, 23, 1};
+constexpr double aspect = 37.0 / 23.0;
+constexpr Measure radiance{Measure::Kind::relative, 0, 1e-6};
+
+Setup setup_of(bool raster, bool scene = true) {
+    Setup setup;
+    setup.composite = {
+        .target_format = rhi::Format::rgba32_float, .raster = raster, .scene_color = scene, .scene_depth = scene};
+    setup.view.light = false;
+    return setup;
+}
+
+Camera camera_of(const DepthConvention& convention, double altitude = 1500, RowOrder order = RowOrder::top_first) {
+    Camera camera = camera_at(presets::earth().planet, altitude);
+    camera.projection = convention.projection;
+    camera.depth_range = convention.range;
+    camera.row_order = order;
+    return camera;
+}
+
+/// Records the view of one rig and shows it over the landscape.
+Image picture(Rig& rig, const DepthConvention& convention, RowOrder order = RowOrder::top_first,
+              rhi::Format depth_format = rhi::Format::r32_float) {
+    rig.record_view(camera_of(convention, 1500, order), sun_at(20));
+    const SceneTextures scene = upload(rig.backend, size, patches, convention, order, depth_format);
+    return rig.show(size, {.scene_color = scene.color, .scene_depth = scene.depth});
+}
+
+Image upside_down(const Image& image) {
+    Image flipped{image.extent, {}};
+    for (std::uint32_t y = image.extent.height; y-- > 0;)
+        for (std::uint32_t x = 0; x < image.extent.width; ++x) flipped.texels.push_back(image.at(x, y));
+    return flipped;
+}
+
+void check_close(const Image& a, const Image& b, double bound, const std::string& where) {
+    Worst worst;
+    worst.compare(a, b, radiance, where);
+    INFO(worst.text());
+    CHECK(worst.error() <= bound);
+}
+
+}  // namespace
+
+TEST_CASE("composite: every backend shows the same picture, as compute and as a draw, in every depth convention") {
+    Backends backends;
+    Precision alone, chained;
+    for (const bool raster : {false, true}) {
+        for (const bool shared : {true, false}) {
+            Trio<Rig> trio(backends, setup_of(raster));
+            trio.record_air();
+            if (shared) trio.share_air();
+            for (const auto& conventions : {perspective_conventions(aspect), orthographic_conventions(aspect)}) {
+                for (const DepthConvention& convention : conventions) {
+                    for (const double elevation : {20.0, -4.0}) {
+                        const std::string where = convention.name + (raster ? ", raster" : ", compute");
+                        trio.each([&](Rig& rig) { rig.record_view(camera_of(convention), sun_at(elevation)); });
+                        if (shared) share_view(trio);
+                        const auto show = [&](Rig& rig) {
+                            const SceneTextures scene = upload(rig.backend, size, patches, convention);
+                            return rig.show(size, {.scene_color = scene.color, .scene_depth = scene.depth});
+                        };
+                        Images images{show(trio.single), show(trio.exact), {}};
+                        if (trio.vulkan) images.vulkan = show(*trio.vulkan);
+                        CHECK_MESSAGE(images.unsound() == "", where);
+                        (shared ? alone : chained).compare(images, radiance, where);
+                    }
+                }
+            }
+        }
+    }
+    alone.check("composite", "radiance, alone", 1e-4, 1e-3);
+    chained.check("composite", "radiance, own tables", 1e-4, 1e-3);
+}
+
+TEST_CASE("composite: all depth conventions show one picture") {
+    const auto cpu = open_cpu_float();
+    for (const bool raster : {false, true}) {
+        Rig rig(*cpu, setup_of(raster));
+        rig.record_air();
+        for (const auto& conventions : {perspective_conventions(aspect), orthographic_conventions(aspect)}) {
+            const Image reference = picture(rig, conventions.front());
+            for (const DepthConvention& convention : conventions) {
+                // Forward depth in float is coarse at 80 km: that is the host's choice.
+                check_close(picture(rig, convention), reference, 3e-3, convention.name);
+                check_close(upside_down(picture(rig, convention, RowOrder::bottom_first)), picture(rig, convention), 1e-5,
+                            convention.name + ", bottom first");
+            }
+        }
+    }
+}
+
+TEST_CASE("composite: a draw shows what compute shows, and a d32_float depth buffer what r32_float does") {
+    const auto show_all = [](Backend& backend) {
+        const DepthConvention convention = perspective_conventions(aspect).front();
+        Rig compute(backend, setup_of(false)), raster(backend, setup_of(true));
+        compute.record_air();
+        raster.record_air();
+        const Image reference = picture(compute, convention);
+        check_close(picture(raster, convention), reference, 1e-5, "raster");
+        check_close(picture(compute, convention, RowOrder::top_first, rhi::Format::d32_float), reference, 0, "d32_float");
+    };
+    show_all(*open_cpu_float());
+    if (const auto vulkan = open_vulkan()) show_all(*vulkan);
+}
+
+TEST_CASE("composite: every backend shows the same sky in every projection, from the ground to space") {
+    Backends backends;
+    Precision worst;
+    for (const Projection kind : {Projection::matrix, Projection::panorama, Projection::fisheye}) {
+        Setup setup = setup_of(kind == Projection::fisheye, false);
+        setup.view.projection = kind;
+        Trio<Rig> trio(backends, setup);
+        trio.record_air();
+        for (const double altitude : {0.0, 0.01, 2.0, 1e4, 99999.0, 100001.0, 4e5, 1e6}) {
+            for (const double elevation : {35.0, 0.0, -5.0}) {
+                const std::string where = place_name("kind " + std::to_string(static_cast<int>(kind)), altitude, elevation);
+                Camera camera = camera_at(setup.air.planet, altitude);
+                camera.kind = kind;
+                trio.each([&](Rig& rig) { rig.record_view(camera, sun_at(elevation)); });
+                Images images{trio.single.show(size), trio.exact.show(size), {}};
+                if (trio.vulkan) images.vulkan = trio.vulkan->show(size);
+                CHECK_MESSAGE(images.unsound() == "", where);
+                worst.compare(images, radiance, where);
+            }
+        }
+    }
+    worst.check("composite", "sky, own tables", 1e-4, 1e-3);
+}

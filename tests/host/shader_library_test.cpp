@@ -1,0 +1,35 @@
+// <aureole/glsl/aureole.glsl> compiles in a host's shader, whatever names the host uses and whichever API it has.
+#include <doctest/doctest.h>
+
+#include "host/glslang.h"
+#include "host/host_shader.h"
+#include "host/scenes.h"
+
+using namespace aureole;
+using namespace aureole::host;
+
+TEST_CASE("the look-ups compile in every stage of a host's shaders, for Vulkan and OpenGL, beside names of the host's own") {
+    for (const Scene& scene : {noon(), scenes()[6]}) {  // analytic phase functions; a tabulated one
+        INFO(scene.name);
+        const Shown shown(passes::open_cpu_float(), scene);
+        for (const char* stage : {"comp", "frag", "vert"}) {
+            for (const bool opengl : {false, true}) {
+                HostShader shader;
+                shader.defines = shown.rig.view.shader_defines();
+                shader.stage = stage;
+                shader.opengl = opengl;
+                const Compiled compiled = compile(text_of(shader), stage, opengl ? Api::opengl : Api::vulkan);
+                CAPTURE(compiled.messages);
+                CAPTURE(opengl);
+                CHECK(compiled.spirv.size() > 1000);
+            }
+        }
+    }
+}
+
+TEST_CASE("a host that forgets the defines is told so by its compiler") {
+    HostShader shader;
+    const Compiled compiled = compile(text_of(shader), "comp");
+    CHECK(compiled.spirv.empty());
+    CHECK(compiled.messages.find("AUREOLE_SPEC_0") != std::string::npos);
+}

@@ -8,10 +8,14 @@
 
 namespace aureole::detail {
 
+namespace {
+
 bool same_targets(const CompositeTargets& a, const CompositeTargets& b) noexcept {
     return a.scene_color == b.scene_color && a.scene_depth == b.scene_depth && a.target == b.target &&
            a.directions == b.directions && a.extent == b.extent;
 }
+
+}  // namespace
 
 void validate(const CompositeSettings& settings) {
     check("composite.exposure", settings.exposure, 1e-30, 1e30);
@@ -79,6 +83,13 @@ void CompositePass::prepare(const CompositeTargets& targets) {
     const auto oldest = std::min_element(prepared_.begin(), prepared_.end(),
                                          [](const Prepared& a, const Prepared& b) { return a.last_used < b.last_used; });
     prepared_.erase(oldest);
+}
+
+void CompositePass::prepare_as(const CompositePass& other) {
+    std::vector<const Prepared*> order;
+    for (const Prepared& p : other.prepared_) order.push_back(&p);
+    std::sort(order.begin(), order.end(), [](const Prepared* a, const Prepared* b) { return a->last_used < b->last_used; });
+    for (const Prepared* p : order) prepare(p->targets);
 }
 
 void CompositePass::release(const CompositeTargets& targets) noexcept {

@@ -9,7 +9,6 @@
 namespace aureole::detail {
 
 void validate(const CompositeSettings& settings);
-[[nodiscard]] bool same_targets(const CompositeTargets& a, const CompositeTargets& b) noexcept;
 
 class CompositePass {
 public:
@@ -18,6 +17,8 @@ public:
 
     /// Makes bindings for these textures, and forgets the longest unused ones beyond `max_prepared`.
     void prepare(const CompositeTargets& targets);
+    /// Makes bindings for all textures that the other pass is prepared for, longest unused first.
+    void prepare_as(const CompositePass& other);
     void release(const CompositeTargets& targets) noexcept;
     [[nodiscard]] bool prepared(const CompositeTargets& targets) noexcept { return find(targets) != nullptr; }
     void record(rhi::CommandList& commands, const CompositeTargets& targets, std::uint64_t frame, PassReport& report,

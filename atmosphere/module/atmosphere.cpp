@@ -115,6 +115,7 @@ Atmosphere::~Atmosphere() = default;
 
 void Atmosphere::set_parameters(const AtmosphereParameters& parameters) {
     Impl& impl = *impl_;
+    if (parameters == impl.parameters) return;
     const detail::PackedAtmosphere packed = detail::pack_atmosphere(parameters);
     AtmosphereParameters copy = parameters;
     if (impl.tables->fits(packed)) {

@@ -59,6 +59,22 @@ void check_view(const ViewSettings& settings) {
     check("view.aerial_perspective_distance_m", settings.aerial_perspective_distance_m, 1e-3, 1e13);
 }
 
+bool same_block(const ViewBlock& a, const ViewBlock& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+/// The block without what the froxels do not depend on: how bright and large the suns are, and how the picture is shown.
+ViewBlock for_froxels(ViewBlock block) {
+    block.composite = glm::vec4(0);
+    for (int sun = 0; sun < max_suns; ++sun)
+        block.sun_irradiance[sun] = block.sun_disk[sun] = block.sun_limb[sun] = glm::vec4(0);
+    return block;
+}
+
+/// The block without what the light does not depend on: where the camera looks, and how the picture is shown.
+ViewBlock for_light(ViewBlock block) {
+    block.composite = block.ray_origin = block.ray_x = block.ray_y = block.forward = block.depth = glm::vec4(0);
+    return block;
+}
+
 constexpr const char* projection_names[] = {"matrix", "panorama", "fisheye"};
 constexpr const char* pass_names[] = {"sky_view", "aerial_perspective", "light", "composite"};
 
@@ -82,7 +98,7 @@ struct View::Impl final : detail::AirUser {
 
     void prepare(detail::AirTables& new_air) override {
         pending = std::make_unique<detail::ViewTables>(new_air, settings, composite);
-        for (const CompositeTargets& t : targets) pending->composite.prepare(t);
+        pending->composite.prepare_as(tables->composite);
     }
     void commit() noexcept override {
         tables = std::move(pending);
@@ -108,8 +124,10 @@ struct View::Impl final : detail::AirUser {
         return detail::pack_view(by, lit, air.parameters.planet, inputs);
     }
     void use(const detail::ViewBlock& fresh) {
-        block_stale |= std::memcmp(&fresh, &block, sizeof block) != 0;
+        block_stale |= !detail::same_block(fresh, block);
         sky_stale |= !(detail::SkyViewKey::of(fresh) == detail::SkyViewKey::of(block));
+        froxels_stale |= !detail::same_block(detail::for_froxels(fresh), detail::for_froxels(block));
+        light_stale |= !detail::same_block(detail::for_light(fresh), detail::for_light(block));
         block = fresh;
     }
 
@@ -117,7 +135,6 @@ struct View::Impl final : detail::AirUser {
     ViewSettings settings;
     CompositeSettings composite;
     std::unique_ptr<detail::ViewTables> tables, pending;
-    std::vector<CompositeTargets> targets;  ///< Prepared ones, to be prepared again for new air.
     detail::ViewBlock block{};
     bool updated = false;
     bool sky_stale = true, froxels_stale = true, light_stale = true, block_stale = true;
@@ -158,10 +175,7 @@ void View::record(rhi::CommandList& commands, TimestampSlots timestamps) {
     }
     if (impl.air.tables->version != impl.air_version) impl.stale();
     impl.air_version = impl.air.tables->version;
-    if (impl.block_stale) {
-        detail::update_block(commands, tables.block_buffer, impl.block);
-        impl.froxels_stale = impl.light_stale = true;
-    }
+    if (impl.block_stale) detail::update_block(commands, tables.block_buffer, impl.block);
     tables.aerial_perspective.prepare(commands);
     if (impl.sky_stale) tables.sky_view.record(commands, impl.block, impl.reports[0], timestamps, 0);
     if (impl.froxels_stale && tables.aerial_perspective.enabled())
@@ -170,19 +184,9 @@ void View::record(rhi::CommandList& commands, TimestampSlots timestamps) {
     impl.sky_stale = impl.froxels_stale = impl.light_stale = impl.block_stale = false;
 }
 
-void View::prepare_composite(const CompositeTargets& targets) {
-    Impl& impl = *impl_;
-    if (impl.tables->composite.prepared(targets)) return;
-    impl.targets.reserve(impl.targets.size() + 1);
-    impl.tables->composite.prepare(targets);
-    impl.targets.push_back(targets);
-    if (impl.targets.size() > detail::CompositePass::max_prepared) impl.targets.erase(impl.targets.begin());
-}
+void View::prepare_composite(const CompositeTargets& targets) { impl_->tables->composite.prepare(targets); }
 
-void View::release_composite(const CompositeTargets& targets) noexcept {
-    impl_->tables->composite.release(targets);
-    std::erase_if(impl_->targets, [&](const CompositeTargets& t) { return detail::same_targets(t, targets); });
-}
+void View::release_composite(const CompositeTargets& targets) noexcept { impl_->tables->composite.release(targets); }
 
 void View::record_composite(rhi::CommandList& commands, const CompositeTargets& targets, TimestampSlots timestamps) {
     Impl& impl = *impl_;

@@ -50,8 +50,8 @@ public:
     Atmosphere(const Atmosphere&) = delete;
     Atmosphere& operator=(const Atmosphere&) = delete;
 
-    /// New air or ground. Tables are rebuilt by the next record(), unless all is as it was. Throws and changes nothing if a value
-    /// is rejected.
+    /// New air or ground. Tables are rebuilt by the next record(), unless all is as it was. Throws and changes nothing if a
+    /// value is rejected.
     void set_parameters(const AtmosphereParameters& parameters);
     [[nodiscard]] const AtmosphereParameters& parameters() const noexcept;
     [[nodiscard]] const QualitySettings& quality() const noexcept;
@@ -126,8 +126,8 @@ public:
     /// Replaces CompositeSettings::exposure. Finite, in [1e-30, 1e30].
     void set_exposure(double exposure);
 
-    /// Records of sky-view, aerial perspective and light those that follow from what has changed in camera, suns and air: turning
-    /// the camera makes new froxels alone, a new exposure or nothing makes none.
+    /// Records of sky-view, aerial perspective and light those that follow from what has changed in camera, suns and air:
+    /// turning the camera makes new froxels alone, a new exposure or nothing makes none.
     void record(rhi::CommandList& commands, TimestampSlots timestamps = {});
     /// Prepares the bindings for these textures (may allocate; call when they change, at most once per swapchain image).
     void prepare_composite(const CompositeTargets& targets);

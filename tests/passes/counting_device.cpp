@@ -1,5 +1,7 @@
 #include "passes/counting_device.h"
 
+#include <aureole/rhi/checks.h>
+
 namespace aureole::passes {
 
 void CountingList::update_constants(rhi::Buffer buffer, std::span<const std::byte> bytes) {
@@ -44,7 +46,7 @@ void CountingDevice::fail_if_due(const std::string& what) {
 }
 
 rhi::FormatSupport CountingDevice::format_support(rhi::Format format, rhi::Dimension dimension) const {
-    return inner_.format_support(format, dimension);
+    return support_ && support_->first == format ? support_->second : inner_.format_support(format, dimension);
 }
 
 rhi::Texture CountingDevice::create_texture(const rhi::TextureDesc& desc) {
@@ -100,11 +102,18 @@ rhi::BindingSet CountingDevice::create_binding_set(const rhi::BindingSetDesc& de
     return set;
 }
 
-void CountingDevice::destroy(rhi::AnyHandle handle, std::uint64_t last_used_frame) {
+std::uint64_t CountingDevice::texture_bytes() const {
+    std::uint64_t bytes = 0;
+    for (const auto& [handle, desc] : textures_) bytes += rhi::packed_size(desc);
+    return bytes;
+}
+
+void CountingDevice::destroy(rhi::AnyHandle handle, std::uint64_t frame) {
     if (std::visit([](auto h) { return !h; }, handle)) return;
     if (const auto* texture = std::get_if<rhi::Texture>(&handle)) textures_.erase(texture->value);
     ++destroyed;
-    inner_.destroy(handle, last_used_frame);
+    last_used_frame = frame;
+    inner_.destroy(handle, frame);
 }
 
 void CountingDevice::write_buffer(rhi::Buffer buffer, std::span<const std::byte> bytes) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace aureole::passes {
 
@@ -47,9 +48,18 @@ public:
     /// Of a texture made through this device and not destroyed yet.
     [[nodiscard]] const rhi::TextureDesc& desc(rhi::Texture texture) const { return textures_.at(texture.value); }
 
-    std::uint64_t attempts = 0, created = 0, destroyed = 0;
+    /// Memory of the live textures made through this device, bytes.
+    [[nodiscard]] std::uint64_t texture_bytes() const;
+    /// Answers instead of the inner device's, where given.
+    void pretend(std::optional<rhi::Capabilities> capabilities) { capabilities_ = std::move(capabilities); }
+    void pretend(std::optional<std::pair<rhi::Format, rhi::FormatSupport>> support) { support_ = support; }
 
-    [[nodiscard]] const rhi::Capabilities& capabilities() const override { return inner_.capabilities(); }
+    std::uint64_t attempts = 0, created = 0, destroyed = 0;
+    std::uint64_t last_used_frame = 0;  ///< Of the object destroyed last.
+
+    [[nodiscard]] const rhi::Capabilities& capabilities() const override {
+        return capabilities_ ? *capabilities_ : inner_.capabilities();
+    }
     [[nodiscard]] rhi::FormatSupport format_support(rhi::Format format, rhi::Dimension dimension) const override;
     /// Textures may also be copied from and to.
     [[nodiscard]] rhi::Texture create_texture(const rhi::TextureDesc& desc) override;
@@ -59,7 +69,7 @@ public:
     [[nodiscard]] rhi::Pipeline create_compute_pipeline(const rhi::ComputePipelineDesc& desc) override;
     [[nodiscard]] rhi::Pipeline create_raster_pipeline(const rhi::RasterPipelineDesc& desc) override;
     [[nodiscard]] rhi::BindingSet create_binding_set(const rhi::BindingSetDesc& desc) override;
-    void destroy(rhi::AnyHandle handle, std::uint64_t last_used_frame) override;
+    void destroy(rhi::AnyHandle handle, std::uint64_t frame) override;
     void collect(std::uint64_t completed_frame) override { inner_.collect(completed_frame); }
     void write_buffer(rhi::Buffer buffer, std::span<const std::byte> bytes) override;
     void read_buffer(rhi::Buffer buffer, std::span<std::byte> bytes) override { inner_.read_buffer(buffer, bytes); }
@@ -74,6 +84,8 @@ private:
     rhi::Device& inner_;
     std::optional<std::uint64_t> fail_at_;
     std::map<std::uint64_t, rhi::TextureDesc> textures_;
+    std::optional<rhi::Capabilities> capabilities_;
+    std::optional<std::pair<rhi::Format, rhi::FormatSupport>> support_;
 };
 
 }  // namespace aureole::passes

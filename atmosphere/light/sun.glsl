@@ -15,7 +15,8 @@ real visible_share(real x) {
 
 // Share of a sun's irradiance that reaches a surface facing it: what the horizon leaves of its disk, through the air. mu_s and
 // sine: of the sun's zenith angle at the point; chord2: squared chord of its angular radius (ViewBlock::sun_limb). Continuous in all
-// of them, across the top of the air too: from above it, a low sun shines through the limb.
+// of them, across the top of the air too: from above it, a low sun shines through the limb. The horizon counts as straight: right
+// wherever the planet looks much larger than the sun.
 vec3 sun_share(real altitude, real mu_s, real sine, real chord2) {
     // Sine and cosine of the sun's angle above the horizon, whose dip has the cosine R / r and the sine tangent / r. Sines are
     // compared, which is exact where it matters; a sun more than a right angle away from the horizon is all above or all below it.

@@ -140,8 +140,8 @@ public:
     [[nodiscard]] rhi::Texture sky_view_table() const noexcept;
     [[nodiscard]] rhi::Texture aerial_perspective_table() const noexcept;
     /// 10 x max_suns rgba32_float texels, one row a sun: [0..8] SH-L2 coefficients of sky radiance (world axes, real basis in
-    /// the order 00, 1-1, 10, 11, 2-2 .. 22), [9] the sun's transmitted irradiance at the camera. The same on every backend: a
-    /// host that wants them on the CPU runs a view on the CPU backend.
+    /// the order 00, 1-1, 10, 11, 2-2 .. 22), [9] the sun's transmitted irradiance at the camera. The same on every backend;
+    /// LightTable (light.h) takes what was read back. Null without ViewSettings::light.
     [[nodiscard]] rhi::Texture light_table() const noexcept;
     [[nodiscard]] std::uint64_t table_bytes() const noexcept;
 

@@ -18,7 +18,8 @@ constexpr std::array<Real, 5> weights{0.295524224714752870173815619188769420L, 0
 Real gauss(const std::function<Real(Real)>& f, Real a, Real b) {
     const Real middle = (a + b) / 2, half = (b - a) / 2;
     Real result = 0;
-    for (std::size_t i = 0; i < nodes.size(); ++i) result += weights[i] * (f(middle - half * nodes[i]) + f(middle + half * nodes[i]));
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        result += weights[i] * (f(middle - half * nodes[i]) + f(middle + half * nodes[i]));
     return result * half;
 }
 
@@ -44,9 +45,16 @@ Real integrate(const std::function<Real(Real)>& f, Real a, Real b, Real relative
     return result;
 }
 
-Real Shell::horizon_mu(Real altitude) const {
-    return -std::sqrt(altitude * (2 * bottom + altitude)) / (bottom + altitude);
+std::vector<Node> gauss_nodes(double a, double b) {
+    const double middle = (a + b) / 2, half = (b - a) / 2;
+    std::vector<Node> result;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (const double sign : {-1.0, 1.0})
+            result.push_back({middle + sign * half * static_cast<double>(nodes[i]), half * static_cast<double>(weights[i])});
+    return result;
 }
+
+Real Shell::horizon_mu(Real altitude) const { return -std::sqrt(altitude * (2 * bottom + altitude)) / (bottom + altitude); }
 
 Real Shell::altitude_after(Real altitude, Real mu, Real t) const {
     const Real r = bottom + altitude;

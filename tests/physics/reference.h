@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 namespace aureole::physics {
 
@@ -9,6 +10,12 @@ using Real = long double;
 
 /// Adaptive: Gauss-Legendre with ten nodes, halved until two halves agree with the whole to `relative` of the total.
 [[nodiscard]] Real integrate(const std::function<Real(Real)>& f, Real a, Real b, Real relative = 1e-8L);
+
+/// The ten nodes of a Gauss-Legendre rule on (a, b), with their weights.
+struct Node {
+    double at, weight;
+};
+[[nodiscard]] std::vector<Node> gauss_nodes(double a, double b);
 
 /// A spherical shell of air; lengths in metres.
 struct Shell {

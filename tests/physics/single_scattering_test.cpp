@@ -36,7 +36,8 @@ std::vector<glm::dvec3> many_directions(double sun_zenith) {
     for (const double apart : {0.0, 0.01, 0.05, 0.2})
         for (const double sign : {-1.0, 1.0}) result.push_back(direction(sun_zenith + sign * apart));
     for (const double zenith : {0.0, 20.0, 45.0, 70.0, 80.0, 100.0, 130.0, 180.0})
-        for (const double azimuth : {0.0, 35.0, 90.0, 140.0, 180.0}) result.push_back(direction(zenith * degree, azimuth * degree));
+        for (const double azimuth : {0.0, 35.0, 90.0, 140.0, 180.0})
+            result.push_back(direction(zenith * degree, azimuth * degree));
     return result;
 }
 
@@ -160,8 +161,8 @@ TEST_CASE("in the planet's shadow nothing shines: the terminator is where geomet
                 const double length = static_cast<double>(integrate(lit, 0, shell.to_top(0, view.z), 1e-7L));
                 const Rgb expected = thin * (length / (4 * pi));
                 // Where next to nothing is lit, relative to a kilometre of lit air.
-                worst.add(sum(glm::abs(sky.radiance(view) - expected)) / sum(thin * (std::max(length, 1000.0) / (4 * pi))), depression,
-                          zenith, azimuth, length);
+                worst.add(sum(glm::abs(sky.radiance(view) - expected)) / sum(thin * (std::max(length, 1000.0) / (4 * pi))),
+                          depression, zenith, azimuth, length);
             }
         CHECK_WORST(worst, 1e-2);
     }

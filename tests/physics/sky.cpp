@@ -191,7 +191,8 @@ std::vector<Rgb> Picture::render(double distance_m, const Rgb& color) {
             depths.push_back(static_cast<float>(camera_.projection[3][2] / (distance_m * glm::dot(direction(x, y), forward))));
         }
     machine_.upload(targets_.scene_color, colors, filled_ ? rhi::State::sampled : rhi::State::undefined, rhi::State::sampled);
-    machine_.upload(targets_.scene_depth, depths, filled_ ? rhi::State::depth_read : rhi::State::undefined, rhi::State::depth_read);
+    machine_.upload(targets_.scene_depth, depths, filled_ ? rhi::State::depth_read : rhi::State::undefined,
+                    rhi::State::depth_read);
     filled_ = true;
     machine_.run([&](rhi::CommandList& commands) {
         air_.record(commands);

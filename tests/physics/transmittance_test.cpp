@@ -135,7 +135,8 @@ TEST_CASE("transmittance: light from beyond the air, from the ground to space") 
                                                        : shell.column_to_top(altitude, mu);
                 for (int c = 0; c < 3; ++c) {
                     const double expected = std::exp(-static_cast<double>(column) * (scattering[c] + absorption[c]));
-                    worst.add(std::abs(seen[i][c] - expected), altitude, horizon - std::acos(static_cast<double>(mu)), expected);
+                    worst.add(std::abs(seen[i][c] - expected), altitude, horizon - std::acos(static_cast<double>(mu)),
+                              expected);
                 }
             }
         }

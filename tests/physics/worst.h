@@ -33,8 +33,8 @@ private:
 }  // namespace aureole::physics
 
 /// Holds the worst error below a limit; what was measured is shown when it is not, and always with doctest's -s.
-#define CHECK_WORST(worst, limit)                \
-    do {                                         \
-        INFO("at ", (worst).where());            \
-        CHECK((worst).value() < (limit));        \
+#define CHECK_WORST(worst, limit)         \
+    do {                                  \
+        INFO("at ", (worst).where());     \
+        CHECK((worst).value() < (limit)); \
     } while (false)

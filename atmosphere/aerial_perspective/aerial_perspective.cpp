@@ -18,8 +18,8 @@ AerialPerspectivePass::AerialPerspectivePass(ViewResources& shared, bool enabled
         {"aerial_perspective", rhi::Dimension::d3, quality.froxel_format, extent, rhi::Usage::sampled | written});
     if (!enabled) {
         const std::array<std::byte, 16> black{};
-        stand_in_ = objects.upload("aerial_perspective stand-in",
-                                   std::span(black.data(), rhi::bytes_per_texel(quality.froxel_format)));
+        stand_in_ =
+            objects.upload("aerial_perspective stand-in", std::span(black.data(), rhi::bytes_per_texel(quality.froxel_format)));
         return;
     }
 

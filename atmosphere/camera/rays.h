@@ -27,8 +27,8 @@ struct RayBasis {
 /// tell depth (panorama, fisheye, a projection without it): (0, 1, 0, 0), infinitely far.
 [[nodiscard]] glm::dvec4 depth_coefficients(const Camera& camera);
 
-/// The stored depth of the far end, 0 or 1: what a host clears its depth to. A pixel that has it is sky, however near a finite far
-/// plane is.
+/// The stored depth of the far end, 0 or 1: what a host clears its depth to. A pixel that has it is sky, however near a finite
+/// far plane is.
 [[nodiscard]] double far_depth(const Camera& camera);
 
 /// Throws Error(invalid_argument) if rays or depth cannot be had from the projection matrix.

@@ -12,7 +12,10 @@ constexpr int zenith_nodes = 8;  // LIGHT_ZENITHS of light.comp.glsl
 LightPass::LightPass(ViewResources& shared, TrackedTexture& sky_view, bool enabled) : enabled_(enabled) {
     if (!enabled) return;
     Objects& objects = shared.objects;
-    table_ = objects.texture({"light", rhi::Dimension::d2, rhi::Format::rgba32_float, {10, shared.suns, 1},
+    table_ = objects.texture({"light",
+                              rhi::Dimension::d2,
+                              rhi::Format::rgba32_float,
+                              {10, shared.suns, 1},
                               rhi::Usage::sampled | rhi::Usage::storage | rhi::Usage::copy_source});
     rule_ = quadrature_block(zenith_nodes);
     quadrature_ = objects.constants("light quadrature", sizeof rule_);

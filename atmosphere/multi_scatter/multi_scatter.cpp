@@ -16,8 +16,8 @@ constexpr rhi::Usage table_usage = rhi::Usage::sampled | rhi::Usage::storage;
 /// Rays and sums are fetched texel by texel.
 constexpr rhi::Format moment_format = rhi::Format::rgba32_float;
 
-/// The table and the orders of scattering are filtered. Its logarithms lose up to half a percent in half floats, which serve only where nothing better can be
-/// filtered (some phones).
+/// The table and the orders of scattering are filtered. Its logarithms lose up to half a percent in half floats, which serve
+/// only where nothing better can be filtered (some phones).
 rhi::Format table_format(const rhi::Device& device) {
     const bool filtered = device.format_support(rhi::Format::rgba32_float, rhi::Dimension::d2).linear_filter;
     return filtered ? rhi::Format::rgba32_float : rhi::Format::rgba16_float;
@@ -53,10 +53,12 @@ glm::vec4 sun_mapping(const Planet& planet, Sampling sampling) {
 MultiScatterPass::MultiScatterPass(AirResources& shared, TrackedTexture& transmittance, double ratio)
     : published_(shared.quality.sampling == Sampling::published_2020), orders_(shared.quality.multi_scatter_orders) {
     restart(ratio);
-    table_ = shared.objects.texture(
-        {"multi_scatter", rhi::Dimension::d2, table_format(shared.objects.device()), table_extent(shared.quality), table_usage});
-    if (published_) create_published(shared, transmittance);
-    else create_gauss(shared, transmittance);
+    table_ = shared.objects.texture({"multi_scatter", rhi::Dimension::d2, table_format(shared.objects.device()),
+                                     table_extent(shared.quality), table_usage});
+    if (published_)
+        create_published(shared, transmittance);
+    else
+        create_gauss(shared, transmittance);
 }
 
 void MultiScatterPass::restart(double ratio) noexcept {
@@ -146,9 +148,9 @@ void MultiScatterPass::create_published(AirResources& shared, TrackedTexture& tr
                                              {2, shared.profile_table.handle, shared.nearest, {}},
                                              {3, transmittance.handle, shared.linear, {}},
                                              {6, rays_.handle, {}, {}}});
-    first_moments_bindings_[0] = objects.bindings(
-        "multi_scatter", moments_,
-        {{0, {}, {}, shared.block.handle}, {2, rays_.handle, shared.nearest, {}}, {6, table_.handle, {}, {}}});
+    first_moments_bindings_[0] =
+        objects.bindings("multi_scatter", moments_,
+                         {{0, {}, {}, shared.block.handle}, {2, rays_.handle, shared.nearest, {}}, {6, table_.handle, {}, {}}});
 }
 
 void MultiScatterPass::record(rhi::CommandList& commands, int passes, PassReport& report, TimestampSlots timestamps,
@@ -161,8 +163,10 @@ void MultiScatterPass::record(rhi::CommandList& commands, int passes, PassReport
     report.bytes_written = 0;
     const int end = passes <= 0 ? passes_ : std::min(passes_, next_ + passes);
     for (; next_ < end; ++next_) {
-        if (published_) record_published(commands, scope);
-        else record_gauss(commands, scope);
+        if (published_)
+            record_published(commands, scope);
+        else
+            record_gauss(commands, scope);
         report.bytes_written += rays_.bytes + (published_ ? table_.bytes : 2 * table_.bytes);
     }
 }
@@ -176,9 +180,8 @@ void MultiScatterPass::record_gauss(rhi::CommandList& commands, PassScope& scope
     move(commands, {{&rays_, rhi::State::storage_write}});
     scope.dispatch(shaders::multi_scatter_rays, first ? first_rays_ : next_rays_,
                    first ? first_rays_bindings_ : next_rays_bindings_[1 - parity], rays_.extent);
-    move(commands, {{&rays_, rhi::State::sampled},
-                    {&order_[parity], rhi::State::storage_write},
-                    {&sum_out, rhi::State::storage_write}});
+    move(commands,
+         {{&rays_, rhi::State::sampled}, {&order_[parity], rhi::State::storage_write}, {&sum_out, rhi::State::storage_write}});
     const glm::vec4 flags(first ? 1.0F : 0.0F, last ? 1.0F : 0.0F, greatest_ratio_, 0.0F);
     scope.dispatch(shaders::multi_scatter_moments, moments_,
                    first ? first_moments_bindings_[last ? 1 : 0] : moments_bindings_[last ? 1 : 0][parity], table_.extent,

@@ -105,7 +105,8 @@ TEST_CASE("quality: every choice") {
         return rejected_field([&] { validate(q); });
     };
     CHECK(rejected([](auto& q) { q.sampling = static_cast<Sampling>(9); }) == "sampling");
-    for (const int order : {-1, 1, 3, 5, 6, 7, 9, 16}) CHECK(rejected([&](auto& q) { q.angular_order = order; }) == "angular_order");
+    for (const int order : {-1, 1, 3, 5, 6, 7, 9, 16})
+        CHECK(rejected([&](auto& q) { q.angular_order = order; }) == "angular_order");
     for (const int order : {0, 2, 4, 8}) CHECK(rejected([&](auto& q) { q.angular_order = order; }) == "nothing");
     CHECK(rejected([](auto& q) { q.angular_order = 2; }, QualitySettings::published_2020()) == "angular_order");
     for (const rhi::Format format : {rhi::Format::undefined, rhi::Format::r32_float, rhi::Format::rgba8_unorm}) {

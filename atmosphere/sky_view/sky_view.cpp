@@ -11,7 +11,10 @@ namespace aureole::detail {
 Specialize ViewResources::specialize() const {
     const bool published = air.quality.sampling == Sampling::published_2020;
     Specialize values(air.air);
-    values.set(6, static_cast<int>(suns)).set(7, published).set(9, air.quality.angular_order).set(24, static_cast<int>(projection));
+    values.set(6, static_cast<int>(suns))
+        .set(7, published)
+        .set(9, air.quality.angular_order)
+        .set(24, static_cast<int>(projection));
     // The published tables hold all phase functions applied.
     if (published) values.set(5, 0);
     return values;

@@ -1,7 +1,7 @@
 #include <aureole/rhi/log.h>
 
-#include <atomic>
 #include <spdlog/logger.h>
+#include <atomic>
 
 namespace aureole {
 namespace {

@@ -39,7 +39,8 @@ public:
 
     /// Irradiance that the sky, lit by all suns, gives a surface at the camera with this normal (world axes of Camera; of any
     /// length in [1e-100, 1e100], else Error(invalid_argument)). Light that the ground reflects from below the horizon is part
-    /// of it. Never negative. Spherical harmonics of degree 2 are within 6 percent of the largest irradiance that any normal gets (host.md).
+    /// of it. Never negative. Spherical harmonics of degree 2 are within 6 percent of the largest irradiance that any normal
+    /// gets (host.md).
     [[nodiscard]] Rgb sky_irradiance(const glm::dvec3& normal) const;
     /// The share of one sun's light in it.
     [[nodiscard]] Rgb sky_irradiance(const glm::dvec3& normal, int sun) const;

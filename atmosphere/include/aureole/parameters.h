@@ -59,10 +59,10 @@ struct CornetteShanksPhase {
 };
 /// (1 - weight) HG(g_hg) + weight Draine(g_draine, alpha): Jendersie & d'Eon 2023, a fit of Mie theory for fog and cloud.
 struct HenyeyGreensteinDrainePhase {
-    double g_hg = 0.9;       ///< In [-0.999, 0.999].
-    double g_draine = 0.5;   ///< In [-0.999, 0.999].
-    double alpha = 10;       ///< In [0, 1e4].
-    double weight = 0.3;     ///< Share of the Draine lobe, in [0, 1].
+    double g_hg = 0.9;      ///< In [-0.999, 0.999].
+    double g_draine = 0.5;  ///< In [-0.999, 0.999].
+    double alpha = 10;      ///< In [0, 1e4].
+    double weight = 0.3;    ///< Share of the Draine lobe, in [0, 1].
     /// The published fit for droplets of the given diameter, in [5, 50] micrometres.
     [[nodiscard]] static HenyeyGreensteinDrainePhase from_droplet_diameter(double diameter_um);
     [[nodiscard]] bool operator==(const HenyeyGreensteinDrainePhase&) const = default;
@@ -85,17 +85,17 @@ using PhaseFunction =
 
 /// One constituent: molecules, an aerosol, an absorber.
 struct DensityTerm {
-    std::string name;                 ///< For messages: "rayleigh", "mie", "ozone".
+    std::string name;  ///< For messages: "rayleigh", "mie", "ozone".
     Profile profile;
-    Rgb scattering_per_m{0, 0, 0};    ///< At density 1. In [0, 1e6].
-    Rgb absorption_per_m{0, 0, 0};    ///< At density 1. In [0, 1e6].
-    PhaseFunction phase;              ///< Unused when scattering is 0.
+    Rgb scattering_per_m{0, 0, 0};  ///< At density 1. In [0, 1e6].
+    Rgb absorption_per_m{0, 0, 0};  ///< At density 1. In [0, 1e6].
+    PhaseFunction phase;            ///< Unused when scattering is 0.
     [[nodiscard]] bool operator==(const DensityTerm&) const = default;
 };
 
 struct Planet {
-    double bottom_radius_m = 6.36e6;  ///< Of the ground. In [1e3, 1e12].
-    double top_radius_m = 6.46e6;     ///< Where the atmosphere ends. At least 1 m above the bottom, at most 11 bottom radii.
+    double bottom_radius_m = 6.36e6;   ///< Of the ground. In [1e3, 1e12].
+    double top_radius_m = 6.46e6;      ///< Where the atmosphere ends. At least 1 m above the bottom, at most 11 bottom radii.
     Rgb ground_albedo{0.3, 0.3, 0.3};  ///< Lambertian, in [0, 1].
     [[nodiscard]] bool operator==(const Planet&) const = default;
 };
@@ -122,8 +122,8 @@ enum class LimbDarkening : std::uint8_t {
 
 /// A distant light: the sun, a second sun, a moon.
 struct Sun {
-    glm::dvec3 direction{0, 0, 1};     ///< Towards the sun, in the axes of `Camera`. Of any length in [1e-100, 1e100].
-    Rgb irradiance{1, 1, 1};           ///< At the top of the atmosphere, on a surface that faces the sun. In [0, 1e20].
+    glm::dvec3 direction{0, 0, 1};         ///< Towards the sun, in the axes of `Camera`. Of any length in [1e-100, 1e100].
+    Rgb irradiance{1, 1, 1};               ///< At the top of the atmosphere, on a surface that faces the sun. In [0, 1e20].
     double angular_radius_rad = 0.004675;  ///< In [0, pi/4]. 0: no visible disk.
     LimbDarkening limb_darkening = LimbDarkening::neckel94;
     [[nodiscard]] bool operator==(const Sun&) const = default;
@@ -131,7 +131,8 @@ struct Sun {
 void validate(const Sun& sun);
 
 /// Scattering and extinction at an altitude, and what a vertical column adds up to: for tests, tools and the curious.
-/// The altitude is finite; below 0 counts as 0, and above the top there is nothing. A term name that occurs nowhere is rejected.
+/// The altitude is finite; below 0 counts as 0, and above the top there is nothing. A term name that occurs nowhere is
+/// rejected.
 struct MediumSample {
     Rgb scattering_per_m, extinction_per_m;
 };

@@ -2,7 +2,8 @@
 // distance. RGB optical depth, so that far hills turn the right colour. Layers stacked in y:
 //   layer 0:                          optical depth to the distance of the slice;
 //   layer 1 + sun * sky_view_layers(): in-scattered radiance as in layer 0 of the sky-view table, then its sharp phases.
-// Axes: screen x and y with the outer texels on the screen's edges; slice position = sqrt(distance / last), 0 at the camera.
+// Axes: screen x and y with the outer texels on the screen's edges; slice k of n at the distance last (k / (n - 1))^2, from 0 at the
+// camera; between slices look-ups are linear in distance, as what the air adds and takes nearly is.
 #ifndef AUREOLE_AERIAL_PERSPECTIVE_GLSL
 #define AUREOLE_AERIAL_PERSPECTIVE_GLSL
 
@@ -16,6 +17,14 @@ struct AerialPerspective {
     vec3 radiance;  // times the suns' irradiance
 };
 
+// Position of a distance, `share` of the last slice's. Were it just the square root, near geometry would be behind up to
+// last / (4 (n - 1)^2) of air too much: 25 m by default.
+real slice_position(real share, int slices) {
+    real last = real(slices - 1);
+    real slice = min(floor(sqrt(share) * last), last - 1);
+    return (slice + (share * last * last - slice * slice) / (2 * slice + 1)) / last;
+}
+
 vec3 froxel_layer(vec3 position, int layer, ivec3 size, int rows) {
     real row = real(layer * rows) + real(0.5) + clamp_within_layer(position.y * real(rows - 1), rows);
     return vec3(SAMPLE(aerial_perspective_table,
@@ -27,7 +36,7 @@ AerialPerspective aerial_perspective(real x, real y, real distance_km, vec3 dire
     ivec3 size = textureSize(aerial_perspective_table, 0);
     int rows = size.y / froxel_layers();
     vec3 position = vec3(clamp(x, real(0), real(1)), clamp(y, real(0), real(1)),
-                         sqrt(clamp(distance_km * view.froxels.y, real(0), real(1))));
+                         slice_position(clamp(distance_km * view.froxels.y, real(0), real(1)), size.z));
     AerialPerspective result;
     result.transmittance = exp(-froxel_layer(position, 0, size, rows));
     result.radiance = vec3(real(0));

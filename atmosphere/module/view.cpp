@@ -177,7 +177,8 @@ void View::record(rhi::CommandList& commands, TimestampSlots timestamps) {
     impl.air_version = impl.air.tables->version;
     if (impl.block_stale) detail::update_block(commands, tables.block_buffer, impl.block);
     tables.aerial_perspective.prepare(commands);
-    if (impl.sky_stale) tables.sky_view.record(commands, impl.block, impl.reports[0], timestamps, 0);
+    if (impl.sky_stale)
+        tables.sky_view.record(commands, detail::has_long_rays(impl.block, impl.air.parameters.planet), impl.reports[0], timestamps, 0);
     if (impl.froxels_stale && tables.aerial_perspective.enabled())
         tables.aerial_perspective.record(commands, impl.reports[1], timestamps, 1);
     if (impl.light_stale && tables.light.enabled()) tables.light.record(commands, impl.reports[2], timestamps, 2);

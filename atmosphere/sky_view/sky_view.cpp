@@ -38,8 +38,8 @@ SkyViewPass::SkyViewPass(ViewResources& shared) {
     invocations_ = {extent.width, quality.sky_view.height * shared.suns, 1};
     table_ = shared.objects.texture(
         {"sky_view", rhi::Dimension::d2, quality.table_format, extent, rhi::Usage::sampled | rhi::Usage::storage});
-    create(shared, inside_, quality.sky_view_nodes);
-    create(shared, space_, quality.sampling == Sampling::gauss ? quality.sky_view_space_nodes : quality.sky_view_nodes);
+    create(shared, low_, quality.sky_view_nodes);
+    create(shared, high_, quality.sampling == Sampling::gauss ? quality.sky_view_space_nodes : quality.sky_view_nodes);
 }
 
 void SkyViewPass::create(ViewResources& shared, Variant& variant, int nodes) {
@@ -64,9 +64,13 @@ void SkyViewPass::create(ViewResources& shared, Variant& variant, int nodes) {
                                         {air, quadrature, profiles, transmittance, multi_scatter, view, out, phases});
 }
 
-void SkyViewPass::record(rhi::CommandList& commands, const ViewBlock& view, PassReport& report, TimestampSlots timestamps,
+bool has_long_rays(const ViewBlock& view, const Planet& planet) {
+    return 1e3 * static_cast<double>(view.camera.x) > 0.4 * (planet.top_radius_m - planet.bottom_radius_m);
+}
+
+void SkyViewPass::record(rhi::CommandList& commands, bool long_rays, PassReport& report, TimestampSlots timestamps,
                          std::uint32_t index) {
-    Variant& variant = view.camera.w > 0.5F ? space_ : inside_;
+    Variant& variant = long_rays ? high_ : low_;
     if (variant.quadrature.handle && variant.quadrature.state == rhi::State::undefined)
         update_block(commands, variant.quadrature, variant.rule);
     PassScope scope(commands, report, timestamps, index);

@@ -28,16 +28,19 @@ struct SkyViewKey {
     [[nodiscard]] bool operator==(const SkyViewKey&) const noexcept = default;
 };
 
+/// Above two fifths of the shell a ray that grazes the ground is nearly as long as from space.
+[[nodiscard]] bool has_long_rays(const ViewBlock& view, const Planet& planet);
+
 class SkyViewPass {
 public:
     explicit SkyViewPass(ViewResources& shared);
 
-    void record(rhi::CommandList& commands, const ViewBlock& view, PassReport& report, TimestampSlots timestamps,
-                std::uint32_t index);
+    /// `long_rays`: the camera is so high that rays cross much of the air (has_long_rays).
+    void record(rhi::CommandList& commands, bool long_rays, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
     [[nodiscard]] TrackedTexture& table() noexcept { return table_; }
 
 private:
-    /// Rays from inside the air, and from space, where they cross more of it and take more nodes.
+    /// Rays from low in the air, and from high in it or from space, where they cross more of it and take more nodes.
     struct Variant {
         QuadratureBlock rule;
         TrackedBuffer quadrature;
@@ -49,7 +52,7 @@ private:
     const rhi::Shader* shader_;
     TrackedTexture table_;
     rhi::Extent invocations_;
-    Variant inside_, space_;
+    Variant low_, high_;
 };
 
 }  // namespace aureole::detail

@@ -32,7 +32,7 @@ struct QualitySettings {
 
     rhi::Extent sky_view{32, 192, 1};  ///< Azimuth x elevation nodes. Each in [4, 4096].
     int sky_view_nodes = 8;            ///< Gauss nodes a ray segment (uniform steps in published_2020), in [2, 16] ([1, 256]).
-    int sky_view_space_nodes = 12;     ///< The same for a camera above the atmosphere, whose rays cross more of it.
+    int sky_view_space_nodes = 12;     ///< The same for a camera above two fifths of the air, or above all of it.
 
     rhi::Extent aerial_perspective{32, 32, 32};  ///< Screen x screen x slices. Each in [2, 256].
     int aerial_perspective_nodes = 1;            ///< Slabs of constant air a slice, in [1, 8].

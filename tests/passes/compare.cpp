@@ -55,6 +55,7 @@ void Worst::compare(const Image& a, const Image& b, std::uint32_t begin, std::ui
                     std::string_view where) {
     REQUIRE(a.extent == b.extent);
     REQUIRE(begin + count <= a.extent.height);
+    compared_ |= count > 0;
     for (int channel = 0; channel < 3; ++channel) {
         Measure scaled = measure;
         if (measure.least_of_largest > 0)
@@ -71,6 +72,7 @@ void Worst::compare(const Image& a, const Image& b, std::uint32_t begin, std::ui
 }
 
 void Worst::add(double error, double a, double b, std::string_view where) {
+    compared_ = true;
     if (error <= error_) return;
     error_ = std::isnan(error) ? HUGE_VAL : error, a_ = a, b_ = b, where_ = where;
 }
@@ -92,9 +94,12 @@ std::string unsound(const Image& image, bool signed_too) {
     return {};
 }
 
-void print_precision(std::string_view pass, std::string_view what, const Worst* vulkan, const Worst& precision) {
-    std::printf("| %.*s | %.*s | %s | %s |\n", static_cast<int>(pass.size()), pass.data(), static_cast<int>(what.size()),
-                what.data(), vulkan ? print(vulkan->error()).c_str() : "not run", print(precision.error()).c_str());
+void print_precision(std::string_view pass, std::string_view what, const PrecisionRow& row) {
+    const auto cell = [](const Worst& worst, double bound) {
+        return worst.compared() ? print(worst.error()) + " (" + print(bound) + ")" : "not run";
+    };
+    std::printf("| %s | %s | %s | %s |\n", std::string(pass).c_str(), std::string(what).c_str(),
+                cell(row.vulkan, row.vulkan_bound).c_str(), cell(row.exact, row.exact_bound).c_str());
     std::fflush(stdout);
 }
 

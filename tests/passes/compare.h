@@ -35,18 +35,26 @@ public:
     }
     void add(double error, double a, double b, std::string_view where);
     [[nodiscard]] double error() const noexcept { return error_; }
+    /// False: there was nothing to compare.
+    [[nodiscard]] bool compared() const noexcept { return compared_; }
     /// "1.2e-05: 0.5 and 0.500006 at ...".
     [[nodiscard]] std::string text() const;
 
 private:
     double error_ = 0, a_ = 0, b_ = 0;
+    bool compared_ = false;
     std::string where_;
 };
 
 /// What is wrong with a table: the first number that is not finite, or negative where that is not `signed_too`. Empty: nothing.
 [[nodiscard]] std::string unsound(const Image& image, bool signed_too = false);
 
-/// Prints a row of the table: "| pass | what | Vulkan to CPU float | CPU float to CPU double |".
-void print_precision(std::string_view pass, std::string_view what, const Worst* vulkan, const Worst& precision);
+/// Two differences and what they may be at most.
+struct PrecisionRow {
+    const Worst &vulkan, &exact;
+    double vulkan_bound, exact_bound;
+};
+/// Prints a row of docs/precision.md: "| pass | what | Vulkan to CPU float (bound) | CPU float to CPU double (bound) |".
+void print_precision(std::string_view pass, std::string_view what, const PrecisionRow& row);
 
 }  // namespace aureole::passes

@@ -39,7 +39,7 @@ void Precision::compare(const Images& images, std::uint32_t begin, std::uint32_t
 }
 
 void Precision::check(std::string_view pass, std::string_view what, double vulkan_bound, double exact_bound) const {
-    print_precision(pass, what, &vulkan, exact);
+    print_precision(pass, what, {vulkan, exact, vulkan_bound, exact_bound});
     INFO(std::string(pass), ", ", std::string(what));
     INFO("Vulkan and CPU float: ", vulkan.text());
     CHECK(vulkan.error() <= vulkan_bound);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include "passes/scene.h"
 #include "passes/trio.h"
@@ -140,4 +142,38 @@ TEST_CASE("composite: every backend shows the same sky in every projection, from
         }
     }
     worst.check("composite", "sky, own tables", 1e-4, 1e-3);
+}
+
+TEST_CASE("composite: given directions show what the camera's own rays do") {
+    Backends backends;
+    Setup setup = setup_of(false, false);
+    Trio<Rig> trio(backends, setup);
+    trio.record_air();
+    const DepthConvention convention = perspective_conventions(aspect).front();
+    const Camera camera = camera_of(convention, 3e3);
+    Image directions{size, {}};
+    const glm::dmat3 to_world = glm::transpose(glm::dmat3(camera.view));
+    for (std::uint32_t y = 0; y < size.height; ++y)
+        for (std::uint32_t x = 0; x < size.width; ++x) {
+            const glm::dvec3 ray((2 * (x + 0.5) / size.width - 1) / camera.projection[0][0],
+                                 (1 - 2 * (y + 0.5) / size.height) / camera.projection[1][1], -1);
+            directions.texels.emplace_back(to_world * ray * 0.3, 1);  // of any length
+        }
+    Precision worst;
+    Images given;
+    trio.each([&](Rig& rig) {
+        rig.record_view(camera, sun_at(20));
+        const Image own = rig.show(size);
+        const Image shown =
+            rig.show(size, {.directions = rig.backend.make("directions", rhi::Format::rgba32_float, directions)});
+        check_close(shown, own, 1e-4, rig.backend.name());
+        if (&rig == &trio.single)
+            given.single = shown;
+        else if (&rig == &trio.exact)
+            given.exact = shown;
+        else
+            given.vulkan = shown;
+    });
+    worst.compare(given, radiance, "given directions");
+    worst.check("composite", "given directions, own tables", 1e-4, 1e-3);
 }

@@ -82,20 +82,28 @@ TEST_CASE("atmosphere: records both tables once, then nothing until the air chan
     CHECK(rig.record_air().total() == 0);
 }
 
-TEST_CASE("atmosphere: a change ends in the tables of an atmosphere made so") {
-    const auto cpu = open_cpu_float();
-    AtmosphereParameters last = presets::earth();
-    AirRig changing(*cpu, setup_of(last));
-    for (const AtmosphereParameters& air :
-         {with_albedo(0.05), smoky(), tabulated(1), tabulated(0.2), presets::mars(), presets::airless(), presets::earth()}) {
-        changing.air.set_parameters(air);
-        changing.record_air();
-        AirRig made(*cpu, setup_of(air));
-        made.record_air();
-        CHECK(changing.air.parameters() == air);
-        CHECK(changing.transmittance() == made.transmittance());
-        CHECK(changing.multi_scatter() == made.multi_scatter());
-        CHECK(changing.air.table_bytes() == made.air.table_bytes());
+TEST_CASE("atmosphere: a change ends in the tables of an atmosphere made so, and its views follow") {
+    for (const auto& backend : {open_cpu_float(), open_vulkan()}) {
+        if (!backend) continue;
+        INFO(backend->name());
+        Rig changing(*backend, {});
+        View other(changing.air);
+        for (const AtmosphereParameters& air : {with_albedo(0.05), smoky(), tabulated(1), tabulated(0.2), presets::mars(),
+                                                presets::airless(), presets::earth()}) {
+            changing.air.set_parameters(air);
+            changing.record_air();
+            changing.record_view(camera_at(air.planet, 50), sun_at(12));
+            Rig made(*backend, setup_of(air));
+            made.record_air();
+            made.record_view(camera_at(air.planet, 50), sun_at(12));
+            CHECK(changing.air.parameters() == air);
+            CHECK(changing.transmittance() == made.transmittance());
+            CHECK(changing.multi_scatter() == made.multi_scatter());
+            CHECK(changing.sky_view() == made.sky_view());
+            CHECK(changing.froxels() == made.froxels());
+            CHECK(changing.light() == made.light());
+            CHECK(changing.air.table_bytes() == made.air.table_bytes());
+        }
     }
 }
 

@@ -173,12 +173,17 @@ void View::record(rhi::CommandList& commands, TimestampSlots timestamps) {
         log()->error("View::record: called before View::update; nothing is recorded");
         return;
     }
+    if (impl.air.tables->multi_scatter.table().state == rhi::State::undefined) {
+        log()->error("View::record: called before Atmosphere::record; nothing is recorded");
+        return;
+    }
     if (impl.air.tables->version != impl.air_version) impl.stale();
     impl.air_version = impl.air.tables->version;
     if (impl.block_stale) detail::update_block(commands, tables.block_buffer, impl.block);
     tables.aerial_perspective.prepare(commands);
     if (impl.sky_stale)
-        tables.sky_view.record(commands, detail::has_long_rays(impl.block, impl.air.parameters.planet), impl.reports[0], timestamps, 0);
+        tables.sky_view.record(commands, detail::has_long_rays(impl.block, impl.air.parameters.planet), impl.reports[0],
+                               timestamps, 0);
     if (impl.froxels_stale && tables.aerial_perspective.enabled())
         tables.aerial_perspective.record(commands, impl.reports[1], timestamps, 1);
     if (impl.light_stale && tables.light.enabled()) tables.light.record(commands, impl.reports[2], timestamps, 2);
@@ -194,6 +199,10 @@ void View::record_composite(rhi::CommandList& commands, const CompositeTargets& 
     impl.reports[3].recorded = false;
     if (!impl.tables->composite.prepared(targets)) {
         log()->error("View::record_composite: these targets were not given to prepare_composite; nothing is recorded");
+        return;
+    }
+    if (impl.tables->sky_view.table().state == rhi::State::undefined) {
+        log()->error("View::record_composite: called before View::record; nothing is recorded");
         return;
     }
     impl.tables->composite.record(commands, targets, impl.air.frame, impl.reports[3], timestamps, 3);

@@ -4,6 +4,7 @@
 #include <spdlog/logger.h>
 #include <spdlog/sinks/ostream_sink.h>
 
+#include <array>
 #include <sstream>
 
 #include "common/rejects.h"
@@ -212,15 +213,40 @@ TEST_CASE("view: refused cameras, suns and settings change nothing") {
 TEST_CASE("view: recording too early says so and records nothing") {
     const auto cpu = open_cpu_float();
     Rig rig(*cpu, setup_of());
+    const CompositeTargets targets{.target = cpu->make_target(rhi::Format::rgba32_float, size, rhi::State::storage_write),
+                                   .extent = size};
+    rig.view.prepare_composite(targets);
+    const auto record = [&] { return cpu->run([&](rhi::CommandList& commands) { rig.view.record(commands); }).total(); };
+    const auto compose = [&](const CompositeTargets& t) {
+        return cpu->run([&](rhi::CommandList& commands) { rig.view.record_composite(commands, t); }).total();
+    };
+    const auto said = [](const Log& log, const char* text) { return log.text().find(text) != std::string::npos; };
+    {
+        Log log;
+        CHECK(record() == 0);
+        CHECK(said(log, "View::record: called before View::update"));
+    }
+    rig.view.update(camera_at(earth, 100), std::array{sun_at(30)});
+    {
+        Log log;
+        CHECK(record() == 0);
+        CHECK(said(log, "View::record: called before Atmosphere::record"));
+        CHECK(recorded(rig) == "");
+    }
     rig.record_air();
+    {
+        Log log;
+        CHECK(compose(targets) == 0);
+        CHECK(said(log, "View::record_composite: called before View::record"));
+        CHECK(!rig.view.reports()[3].recorded);
+    }
+    CHECK(record() > 0);
+    CHECK(compose(targets) > 0);
     Log log;
-    CHECK(cpu->run([&](rhi::CommandList& commands) { rig.view.record(commands); }).total() == 0);
-    CHECK(log.text().find("before View::update") != std::string::npos);
-    CompositeTargets targets{.target = cpu->make_target(rhi::Format::rgba32_float, size, rhi::State::storage_write),
-                             .extent = size};
-    rig.record_view(camera_at(earth, 100), sun_at(30));
-    CHECK(cpu->run([&](rhi::CommandList& commands) { rig.view.record_composite(commands, targets); }).total() == 0);
-    CHECK(log.text().find("prepare_composite") != std::string::npos);
+    CompositeTargets others = targets;
+    others.extent.width = 7;
+    CHECK(compose(others) == 0);
+    CHECK(said(log, "not given to prepare_composite"));
     CHECK(!rig.view.reports()[3].recorded);
 }
 

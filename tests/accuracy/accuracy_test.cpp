@@ -70,8 +70,7 @@ void check(const char* file, const AtmosphereParameters& air, const QualitySetti
         Errors& e = errors.at(limit.sun_zenith_deg);
         const double greatest = e.quantile(1);
         std::printf("%-10s %-15s sun %3g deg: %3zu rows, median %6.3f %%, p95 %6.2f %%, max %6.1f %%\n", file,
-                    quality.name.c_str(), limit.sun_zenith_deg, e.percent.size(), e.quantile(0.5), e.quantile(0.95),
-                    greatest);
+                    quality.name.c_str(), limit.sun_zenith_deg, e.percent.size(), e.quantile(0.5), e.quantile(0.95), greatest);
         CHECK(e.percent.size() >= 60);
         CHECK(e.quantile(0.5) <= limit.median_percent);
         CHECK(e.quantile(0.95) <= limit.p95_percent);

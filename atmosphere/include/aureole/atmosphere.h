@@ -133,7 +133,8 @@ public:
     void prepare_composite(const CompositeTargets& targets);
     /// Forgets textures that are about to be destroyed (a resized swapchain). Unknown targets are ignored.
     void release_composite(const CompositeTargets& targets) noexcept;
-    /// Records the composite. `targets` must have been prepared.
+    /// Records the composite. `targets` must have been prepared, and the tables recorded since the air's structure changed;
+    /// else nothing is recorded, and the log says so.
     void record_composite(rhi::CommandList& commands, const CompositeTargets& targets, TimestampSlots timestamps = {});
     [[nodiscard]] std::span<const PassReport> reports() const noexcept;
 

@@ -26,7 +26,7 @@ enum class RowOrder : std::uint8_t {
 struct Camera {
     glm::dvec3 position_m{0, 0, 6.36e6 + 2};  ///< From the planet's centre. At a distance in [1e-6, 1e13] m. Below the ground
                                               ///< is allowed: the view is then that of a camera on the ground above it.
-    glm::dmat4 view{1.0};  ///< World to view; only its rotation is used (must be orthonormal within 1e-3).
+    glm::dmat4 view{1.0};                     ///< World to view; only its rotation is used (must be orthonormal within 1e-3).
     /// View (metres) to clip; forward, reversed or infinite depth, perspective or orthographic. Must be invertible in x and y,
     /// with rays that meet at the position (off-axis and jittered ones are fine, oblique near planes are not). Ignored by
     /// panorama and fisheye, where every pixel is sky.

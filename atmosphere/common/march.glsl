@@ -13,6 +13,7 @@
 #define AUREOLE_MARCH_GLSL
 
 #include "common/geometry.glsl"
+#include "common/slab.glsl"
 #include "medium/medium.glsl"
 #include "multi_scatter/multi_scatter.glsl"
 #include "transmittance/transmittance.glsl"
@@ -61,6 +62,8 @@ void march_piece(Ray ray, real t0, real t1, bool dense_end, bool lit, INOUT(RayL
         }
     }
 
+    vec3 multiple = vec3(real(0));
+    vec3 caught = vec3(real(0));  // integral of extinction times transmittance, as the nodes have it
     int k = 0;
     do {  // tested at the end, as in march() below
         real u = quadrature.node[k].x;
@@ -71,14 +74,16 @@ void march_piece(Ray ray, real t0, real t1, bool dense_end, bool lit, INOUT(RayL
 
         vec3 running = vec3(real(0));
         vec3 scattering[MAX_PHASES];
+        vec3 extinction = vec3(real(0));
         for (int c = 0; c < PHASE_COUNT; ++c) scattering[c] = vec3(real(0));
         for (int i = 0; i < TERM_COUNT; ++i) {
             real d = real(0);
             for (int j = 0; j < RAY_NODES; ++j)
                 d += quadrature.running[4 * k + j / 4][j % 4] * density[j * (TERM_COUNT + 1) + i];
             running += d * vec3(atm.term_extinction[i]);
-            scattering[term_phase(i)] +=
-                (density[k * (TERM_COUNT + 1) + i] * quadrature.node[k].y) * vec3(atm.term_scattering[i]);
+            real here = density[k * (TERM_COUNT + 1) + i] * quadrature.node[k].y;
+            scattering[term_phase(i)] += here * vec3(atm.term_scattering[i]);
+            extinction += here * vec3(atm.term_extinction[i]);
         }
         // The interpolating polynomial may swing below 0 or above the whole where the density is steep.
         running = clamp(running, vec3(real(0)), whole);
@@ -88,10 +93,19 @@ void march_piece(Ray ray, real t0, real t1, bool dense_end, bool lit, INOUT(RayL
             vec3 beam = transmittance * transmittance_to_top(h, mu_s);
             for (int c = 0; c < PHASE_COUNT; ++c) light.single[c] += beam * scattering[c];
         }
-        if (MULTIPLE_SCATTERING)
-            light.multiple += transmittance * scattered_diffuse(h, view_mu_after(ray, t, h), mu_s, ray.nu, scattering);
+        if (MULTIPLE_SCATTERING) {
+            multiple += transmittance * scattered_diffuse(h, view_mu_after(ray, t, h), mu_s, ray.nu, scattering);
+            caught += transmittance * extinction;
+        }
         ++k;
     } while (k < RAY_NODES);
+    // What a piece catches is known: 1 - exp(-whole). In thick air a few nodes miss it, by either sign, and where the fixed point of
+    // multiple scattering caught more than there is, it would grow without end.
+    if (MULTIPLE_SCATTERING) {
+        vec3 exact = exp(-light.depth) * whole * mean_transmittance(whole);
+        vec3 none = vec3(real(1e-20));
+        light.multiple += multiple * mix(exact / max(caught, none), vec3(real(1)), lessThan(caught, none));
+    }
     light.depth += whole;
 }
 

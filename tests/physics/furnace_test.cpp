@@ -143,3 +143,31 @@ TEST_CASE("energy: what the sun sends in comes out again or is absorbed by the g
         }
     }
 }
+
+TEST_CASE("thick air that absorbs nothing gives back no more than it gets, and most of it") {
+    // Above black ground, up and down together are what the sun sends in, on each square metre. The planet is curved, and so
+    // is the share of a slant sun that passes between the levels: a percent or two.
+    struct Case {
+        double depth, least_low, least_default;
+    };
+    for (const QualitySettings& quality : {QualitySettings::low(), QualitySettings::standard()})
+        for (const Case& wanted :
+             {Case{0.3, 0.98, 0.98}, {1, 0.94, 0.96}, {2, 0.87, 0.94}, {5, 0.6, 0.82}, {20, 0.27, 0.43}, {100, 0.18, 0.28}})
+            for (const double g : {0.0, 0.6}) {
+                CAPTURE(quality.name);
+                CAPTURE(wanted.depth);
+                CAPTURE(g);
+                AtmosphereParameters air = conservative(HenyeyGreensteinPhase{g}, 0);
+                air.terms[0].scattering_per_m = Rgb(wanted.depth / scale_height);
+                SkyOptions options = options_of(quality);
+                options.light = true;
+                Sky sky(cpu_float(), air, options);
+                const double sun_mu = 0.9;
+                const Rgb out = flux(sky, 100e3, sun_mu, true);
+                Rgb down = flux(sky, 0, sun_mu, false);
+                down += Rgb(sky.light()[9]) * sun_mu;
+                const double share = (out.g * std::pow(6460.0 / 6360.0, 2) + down.g) / sun_mu;
+                CHECK(share < 1.02);
+                CHECK(share > (quality.name == "default" ? wanted.least_default : wanted.least_low));
+            }
+}

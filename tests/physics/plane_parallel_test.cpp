@@ -74,13 +74,14 @@ struct Limits {
     std::map<int, Errors> by_order;
 };
 /// What these tables reach. Rayleigh's phase function ends at l = 2 and needs no more; a thick layer that absorbs nothing
-/// multiplies every error of a pass by the number of scatterings, some twenty.
+/// multiplies every error of a pass by the number of scatterings, some twenty (with 48 x 48 nodes in place of 24 x 24 its
+/// median is 2 to 3 %).
 const std::map<std::string, Limits> limits{
     {"isotropic", {{{0, {1.6, 2.5}}, {2, {1.6, 2.5}}}}},
     {"rayleigh_thin", {{{0, {3, 5}}, {2, {0.8, 1.2}}}}},
     {"rayleigh_grazing", {{{0, {3, 5}}, {2, {0.5, 0.8}}}}},
     {"rayleigh_absorbing", {{{0, {1.5, 3}}, {2, {0.3, 0.5}}}}},
-    {"rayleigh_thick", {{{0, {25, 30}}, {2, {25, 30}}}}},
+    {"rayleigh_thick", {{{0, {12, 19}}, {2, {12, 19}}}}},
     {"hg_dust", {{{0, {30, 90}}, {2, {9, 20}}, {4, {6, 13}}, {8, {5.5, 12}}}}},
     {"hg_slant", {{{0, {70, 250}}, {2, {25, 130}}, {4, {9, 40}}, {8, {4.5, 17}}}}},
     {"hg_zenith", {{{0, {22, 300}}, {2, {22, 75}}, {4, {5.5, 52}}, {8, {2.8, 8}}}}},
@@ -106,7 +107,7 @@ TEST_CASE("a flat layer: every order of scattering, and the error falls with the
             std::printf("  L = %d: %5.2f / %6.2f", order, errors.median, errors.worst);
             CHECK(errors.median < limit.median);
             CHECK(errors.worst < limit.worst);
-            CHECK(errors.median < 1.05 * before);
+            CHECK(errors.median < 1.1 * before);  // a thick layer's error is that of its 24 altitudes, for any L
             before = errors.median;
         }
         std::printf("\n");

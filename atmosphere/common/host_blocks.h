@@ -25,7 +25,7 @@ using ViewBlock = Blocks<float>::ViewBlock;
 
 inline constexpr int max_suns = Blocks<float>::MAX_SUNS;
 inline constexpr int max_nodes = Blocks<float>::MAX_NODES;
-static_assert(Blocks<float>::MAX_TERMS == 16 && Blocks<float>::MAX_PHASES == 4, "limits stated in parameters.h");
+static_assert(Blocks<float>::MAX_PHASES == 4, "the limit stated in parameters.h");
 
 /// A block in double, rounded to what the device gets.
 template <class Float, class Double>

@@ -2,6 +2,7 @@
 
 #include "common/formulas.h"
 #include "common/resample.h"
+#include "medium/merge.h"
 #include "phase/distinct.h"
 
 #include <algorithm>
@@ -126,9 +127,7 @@ void pack_phases(ExactAtmosphere& air) {
 }
 
 void pack_terms(const AtmosphereParameters& parameters, ExactAtmosphere& air) {
-    std::vector<DensityTerm> terms;
-    for (const DensityTerm& term : parameters.terms)
-        if (scatters(term) || term.absorption_per_m != Rgb(0)) terms.push_back(term);
+    const std::vector<DensityTerm> terms = merged_terms(parameters);
     air.block.tables.y = highest_tabulated_km(terms, air.block.radii.z);
     air.structure.term_count = static_cast<int>(terms.size());
     unsigned kinds = 0, phases = 0;

@@ -26,7 +26,7 @@ struct ExactAtmosphere {
     std::vector<double> profile_table, phase_table;  ///< table_width texels a row; empty without tabulated terms.
     std::vector<PhaseFunction> phases;               ///< By phase index; Rayleigh, if present, is 0.
 };
-/// Terms without any coefficient are left out; equal phase functions become one. `parameters` must be valid.
+/// Terms are those of `merged_terms` (medium/merge.h); equal phase functions become one. `parameters` must be valid.
 [[nodiscard]] ExactAtmosphere pack_exact(const AtmosphereParameters& parameters);
 /// Air without terms whose only phase function is this one.
 [[nodiscard]] ExactAtmosphere pack_exact(const PhaseFunction& phase);

@@ -67,10 +67,13 @@ std::vector<AtmosphereParameters> kinds_of_air() {
     second.terms = {term("dust", cloud, {3e-5, 2e-5, 1e-5}, CornetteShanksPhase{-0.4}),
                     term("fog", ExponentialProfile{100}, Rgb(1e-4), HenyeyGreensteinDrainePhase::from_droplet_diameter(10))};
     third.terms.clear();
-    for (int i = 0; i < AtmosphereParameters::max_terms; ++i)
+    for (int i = 0; i < 16; ++i)
         third.terms.push_back(
             term("layer", TentProfile{2e3 * i, 3e3}, Rgb(1e-6 * (i + 1)), HenyeyGreensteinPhase{0.2 * (i % 4)}));
-    return {first, second, third};
+    AtmosphereParameters fourth = presets::earth();  // more terms than kernels take: they become tables
+    for (int i = 0; i < 30; ++i)
+        fourth.terms.push_back(term("layer", TentProfile{1e3 * i, 2e3}, Rgb(1e-6 * (i + 1)), HenyeyGreensteinPhase{0.2}));
+    return {first, second, third, fourth};
 }
 
 }  // namespace

@@ -101,7 +101,6 @@ void check_sun(const std::string& field, const Sun& sun) {
 
 void validate(const AtmosphereParameters& parameters) {
     detail::check_planet("planet", parameters.planet);
-    detail::check_count("terms", parameters.terms.size(), 0, AtmosphereParameters::max_terms);
     for (std::size_t i = 0; i < parameters.terms.size(); ++i)
         detail::check_term(detail::element("terms", i), parameters.terms[i]);
     const std::size_t phases = detail::distinct_phases(parameters.terms).size();

@@ -203,21 +203,19 @@ TEST_CASE("validate: every field of every phase function, also where nothing sca
     CHECK(table({0, 3.14159265}, {0, 1e-300}) == "nothing");
 }
 
-TEST_CASE("validate: how many terms and different phase functions") {
+TEST_CASE("validate: any number of terms, but not of phase functions") {
     AtmosphereParameters p;
-    for (int i = 0; i < 16; ++i)
+    for (int i = 0; i < 100; ++i)
         p.terms.push_back({.name = "haze",
                            .profile = ExponentialProfile{},
                            .scattering_per_m = Rgb(1e-6),
                            .absorption_per_m = Rgb(0),
                            .phase = HenyeyGreensteinPhase{0.1 * (i % 4)}});
     CHECK_NOTHROW(validate(p));
-    p.terms[15].phase = RayleighPhase{};
+    p.terms[99].phase = RayleighPhase{};
     CHECK(rejected_field([&] { validate(p); }) == "terms");
-    p.terms[15].scattering_per_m = Rgb(0);  // its phase function does not matter any more
+    p.terms[99].scattering_per_m = Rgb(0);  // its phase function does not matter any more
     CHECK_NOTHROW(validate(p));
-    p.terms.push_back(p.terms[0]);
-    CHECK(rejected_field([&] { validate(p); }) == "terms");
 }
 
 TEST_CASE("validate: every field of a sun") {

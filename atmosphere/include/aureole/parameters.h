@@ -102,11 +102,11 @@ struct Planet {
 
 struct AtmosphereParameters {
     Planet planet;
-    /// Up to `max_terms`, with at most `max_phase_functions` different scattering phase functions among them (terms with
-    /// equal phase functions share). None: an airless body.
+    /// Any number, with at most `max_phase_functions` different scattering phase functions among them (terms with equal phase
+    /// functions share). None: an airless body. Kernels take 16; of more, those with equal profiles are added up, and if that is
+    /// not enough, sums of terms are tabulated: cost does not grow further.
     std::vector<DensityTerm> terms;
 
-    static constexpr int max_terms = 16;
     static constexpr int max_phase_functions = 4;
     [[nodiscard]] bool operator==(const AtmosphereParameters&) const = default;
 };

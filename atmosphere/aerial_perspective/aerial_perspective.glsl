@@ -51,9 +51,8 @@ AerialPerspective aerial_perspective(real x, real y, real distance_km, vec3 dire
                 ++layer;
             }
         }
-        result.radiance += radiance * vec3(view.sun_irradiance[sun]);
+        result.radiance += radiance * (view.table_exposure_inverse[sun] * vec3(view.sun_irradiance[sun]));
     }
-    result.radiance *= view.froxels.w;
     return result;
 }
 #endif

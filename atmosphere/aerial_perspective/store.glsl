@@ -9,11 +9,11 @@ void store_layer(ivec3 froxel, int rows, int layer, vec3 value) {
 void store_froxel(ivec3 froxel, int rows, int sun, vec3 depth, vec3 radiance, vec3 single[MAX_PHASES]) {
     int layer = 1 + sun * sky_view_layers();
     if (sun == 0) store_layer(froxel, rows, 0, depth);
-    store_layer(froxel, rows, layer, radiance * view.froxels.z);
+    store_layer(froxel, rows, layer, radiance * view.table_exposure[sun]);
     for (int c = 0; c < PHASE_COUNT; ++c) {
         if (phase_is_sharp(c)) {
             ++layer;
-            store_layer(froxel, rows, layer, single[c] * view.froxels.z);
+            store_layer(froxel, rows, layer, single[c] * view.table_exposure[sun]);
         }
     }
 }

@@ -79,8 +79,16 @@ void pack_disk(const Sun& sun, dvec4& disk, dvec4& limb) {
     limb = dvec4(alpha, squared_chord);
 }
 
+/// What the tables of a sun are multiplied by: a power of two (exact), 1 by day, growing as the sun sinks below the horizon by
+/// the decade in 3 degrees that twilight loses at most. `elevation`: of the sun above the horizon, rad.
+double table_exposure(double elevation) {
+    const double decades = std::clamp(-elevation * 180 / std::numbers::pi / 3, 0.0, 6.0);
+    return std::exp2(std::floor(decades * std::log2(10.0)));
+}
+
 void pack_suns(std::span<const Sun> suns, const dvec3& up, ExactView& view) {
     const dvec3 east(view.east);
+    view.table_exposure = view.table_exposure_inverse = dvec4(1);
     for (std::size_t i = 0; i < static_cast<std::size_t>(max_suns); ++i) {
         view.sun_direction[i] = dvec4(up, 1);
         view.sun_azimuth[i] = dvec4(east, 0);
@@ -95,6 +103,9 @@ void pack_suns(std::span<const Sun> suns, const dvec3& up, ExactView& view) {
         view.sun_direction[i] = dvec4(direction, mu_s);
         view.sun_azimuth[i] = dvec4(sine > 1e-12 ? horizontal / sine : east, sine);
         view.sun_irradiance[i] = dvec4(suns[i].irradiance, static_cast<double>(suns.size()));
+        const auto component = static_cast<glm::length_t>(i);
+        view.table_exposure[component] = table_exposure(std::asin(mu_s) + view.space.z);
+        view.table_exposure_inverse[component] = 1 / view.table_exposure[component];
         pack_disk(suns[i], view.sun_disk[i], view.sun_limb[i]);
     }
 }
@@ -104,7 +115,6 @@ void check_inputs(std::span<const Sun> suns, const ViewInputs& inputs) {
     for (std::size_t i = 0; i < suns.size(); ++i) check_sun(element("suns", i), suns[i]);
     check("aerial_perspective_distance_m", inputs.aerial_perspective_distance_m, 1e-3, 1e13);
     check("exposure", inputs.exposure, 1e-30, 1e30);
-    check("table_exposure", inputs.table_exposure, 1e-30, 1e30);
 }
 
 }  // namespace
@@ -119,7 +129,7 @@ ViewBlock pack_view(const Camera& camera, std::span<const Sun> suns, const Plane
     pack_rays(camera, up, view);
     pack_suns(suns, up, view);
     const double distance = inputs.aerial_perspective_distance_m * 1e-3;
-    view.froxels = {distance, 1 / distance, inputs.table_exposure, 1 / inputs.table_exposure};
+    view.froxels = {distance, 1 / distance, 0, 0};
     view.composite = {inputs.exposure, static_cast<double>(inputs.frame & 0xffffu), far_depth(camera), 0};
     return round_block<ViewBlock>(view);
 }

@@ -97,15 +97,14 @@ TEST_CASE("pack_view: up, east, north are right-handed everywhere, the poles and
 
 TEST_CASE("pack_view: rays, kinds, forward, frames") {
     Camera camera = look(6.36e6, 2, 0.5, 0.25, 1, 1.5);
-    ViewBlock view = pack_view(
-        camera, {}, planet, {.aerial_perspective_distance_m = 32000, .exposure = 3, .table_exposure = 8, .frame = 65536 + 7});
+    ViewBlock view = pack_view(camera, {}, planet, {.aerial_perspective_distance_m = 32000, .exposure = 3, .frame = 65536 + 7});
     CHECK(view.ray_origin.w == 0);
     CHECK(view.forward.w == 0);
     const dvec3 forward(std::cos(0.25) * std::cos(0.5), std::cos(0.25) * std::sin(0.5), std::sin(0.25));
     CHECK(glm::length(xyz(view.forward) - forward) < 1e-6);
     const dvec3 centre = xyz(view.ray_origin) + 0.5 * xyz(view.ray_x) + 0.5 * xyz(view.ray_y);
     CHECK(glm::length(centre - forward) < 1e-6);
-    CHECK(view.froxels == glm::vec4(32, 1 / 32.0f, 8, 0.125f));
+    CHECK(view.froxels == glm::vec4(32, 1 / 32.0f, 0, 0));
     CHECK(view.composite == glm::vec4(3, 7, 0, 0));  // reversed depth: the far end is 0
     Camera forward_depth = camera;
     forward_depth.projection = glm::perspectiveRH_ZO(1.0, 1.5, 0.1, 100.0);
@@ -211,9 +210,8 @@ TEST_CASE("pack_view: everything it makes is finite, at the ends of all ranges")
                           .irradiance = Rgb(1e20),
                           .angular_radius_rad = 1e-12,
                           .limb_darkening = LimbDarkening::none};
-            const ViewBlock view =
-                pack_view(look(radius, altitude, 0, 0, 1e-6, 1e3), std::array{sun}, extreme,
-                          {.aerial_perspective_distance_m = 1e13, .exposure = 1e30, .table_exposure = 1e30, .frame = 0});
+            const ViewBlock view = pack_view(look(radius, altitude, 0, 0, 1e-6, 1e3), std::array{sun}, extreme,
+                                             {.aerial_perspective_distance_m = 1e13, .exposure = 1e30, .frame = 0});
             float numbers[sizeof view / sizeof(float)];
             std::memcpy(numbers, &view, sizeof view);
             for (const float number : numbers) REQUIRE(std::isfinite(number));
@@ -229,6 +227,5 @@ TEST_CASE("pack_view: bad input") {
         CHECK(rejected_field([&] { (void)pack_view(camera, {}, planet, {.aerial_perspective_distance_m = value}); }) ==
               "aerial_perspective_distance_m");
         CHECK(rejected_field([&] { (void)pack_view(camera, {}, planet, {.exposure = value}); }) == "exposure");
-        CHECK(rejected_field([&] { (void)pack_view(camera, {}, planet, {.table_exposure = value}); }) == "table_exposure");
     }
 }

@@ -52,7 +52,9 @@ struct ViewBlock {
     vec4 ray_origin, ray_x, ray_y;  // ray_origin.w: kind: 0 matrix, 1 panorama, 2 fisheye
     vec4 forward;       // unit vector of the view axis; w: 1 orthographic
     vec4 depth;         // view depth along forward, km = (x * d + y) / (z * d + w), d in [0, 1]; +infinity where d tells nothing
-    vec4 froxels;       // x: distance of the last slice, km; y: 1 / x; z: exposure of the tables (pre-exposure); w: its inverse
+    vec4 froxels;       // x: distance of the last slice, km; y: 1 / x; z, w: unused
+    // By sun: what its layers of the tables are multiplied by so that twilight does not vanish in half floats, and the inverse.
+    vec4 table_exposure, table_exposure_inverse;
     vec4 composite;     // x: exposure; y: unused; z: stored depth of the far end, 0 or 1: where nothing was
                         // drawn; w: unused
     // Suns. direction: world axes, w: cosine of the zenith angle at the camera (mu_s).

@@ -69,8 +69,10 @@ vec3 pixel_radiance(ivec2 pixel) {
     real y = (real(pixel.y) + real(0.5)) / target.size.y;
     ViewRay ray = view_ray(x, y);
     if (GIVEN_DIRECTIONS) {
-        ray.direction = normalize(vec3(texelFetch(directions, pixel, 0)));
-        ray.valid = true;
+        vec3 given = vec3(texelFetch(directions, pixel, 0));
+        real length_squared = dot(given, given);
+        ray.direction = given / sqrt(max(length_squared, real(1e-30)));
+        ray.valid = length_squared > real(1e-30);  // (0, 0, 0) is no direction: black
     }
     if (!ray.valid) return vec3(real(0));
     ViewDirection v = view_direction(ray.direction);

@@ -4,7 +4,9 @@
 
 // ACES reference rendering and output transforms for Rec.709, as fitted by Stephen Hill (2015): a matrix into the transform's
 // space, a rational curve, a matrix back.
+// Beyond 1e6 the curve is flat, and its squares would leave the range of float.
 vec3 aces_fitted(vec3 color) {
+    color = min(color, vec3(real(1e6)));
     vec3 v = vec3(dot(color, vec3(real(0.59719), real(0.35458), real(0.04823))),
                   dot(color, vec3(real(0.07600), real(0.90834), real(0.01566))),
                   dot(color, vec3(real(0.02840), real(0.13383), real(0.83777))));

@@ -39,7 +39,7 @@ vec3 smooth_radiance(int sun, real mu, real sine, real azimuth_cosine, real nu) 
             ++layer;
         }
     }
-    return radiance * (coordinates.z * view.froxels.w);
+    return radiance * coordinates.z;
 }
 
 vec3 sky_coefficient(int sun, int coefficient) {

@@ -40,20 +40,6 @@ struct ViewTables {
     CompositePass composite;
 };
 
-/// What tables are multiplied by so that twilight does not vanish in half floats: a power of two (exact), 1 by day, growing as
-/// the brightest sun sinks below the horizon, by the decade in 3 degrees that twilight loses at most.
-double table_exposure(const Camera& camera, std::span<const Sun> suns, double bottom_radius_m) {
-    const double r = glm::length(camera.position_m);
-    double depression = 90;
-    for (const Sun& sun : suns) {
-        const double cosine = glm::dot(camera.position_m, sun.direction) / (r * glm::length(sun.direction));
-        depression = std::min(depression, -std::asin(std::clamp(cosine, -1.0, 1.0)) * 180 / M_PI);
-    }
-    const double dip = r > bottom_radius_m ? std::acos(bottom_radius_m / r) * 180 / M_PI : 0;
-    const double decades = std::clamp((depression - dip) / 3, 0.0, 6.0);
-    return std::exp2(std::floor(decades * 3.3219280948873623));
-}
-
 void check_view(const ViewSettings& settings) {
     check("view.max_suns", settings.max_suns, 1, max_suns);
     check("view.aerial_perspective_distance_m", settings.aerial_perspective_distance_m, 1e-3, 1e13);
@@ -120,7 +106,6 @@ struct View::Impl final : detail::AirUser {
                 "camera.kind", detail::projection_names[static_cast<int>(by.kind)],
                 std::string("ViewSettings::projection, ") + detail::projection_names[static_cast<int>(settings.projection)]);
         for (const Sun& sun : lit) validate(sun);
-        inputs.table_exposure = detail::table_exposure(by, lit, air.parameters.planet.bottom_radius_m);
         return detail::pack_view(by, lit, air.parameters.planet, inputs);
     }
     void use(const detail::ViewBlock& fresh) {
@@ -181,9 +166,7 @@ void View::record(rhi::CommandList& commands, TimestampSlots timestamps) {
     impl.air_version = impl.air.tables->version;
     if (impl.block_stale) detail::update_block(commands, tables.block_buffer, impl.block);
     tables.aerial_perspective.prepare(commands);
-    if (impl.sky_stale)
-        tables.sky_view.record(commands, detail::has_long_rays(impl.block, impl.air.parameters.planet), impl.reports[0],
-                               timestamps, 0);
+    if (impl.sky_stale) tables.sky_view.record(commands, impl.reports[0], timestamps, 0);
     if (impl.froxels_stale && tables.aerial_perspective.enabled())
         tables.aerial_perspective.record(commands, impl.reports[1], timestamps, 1);
     if (impl.light_stale && tables.light.enabled()) tables.light.record(commands, impl.reports[2], timestamps, 2);

@@ -60,7 +60,6 @@ void validate(const QualitySettings& s) {
     detail::check("multi_scatter_orders", s.multi_scatter_orders, 1, 64);
     check_size_2d("sky_view", s.sky_view, 4, 4096);
     check_samples("sky_view_nodes", s.sky_view_nodes, s.sampling);
-    check_samples("sky_view_space_nodes", s.sky_view_space_nodes, s.sampling);
     check_size("aerial_perspective", s.aerial_perspective, 2, 256);
     detail::check("aerial_perspective.depth", s.aerial_perspective.depth, 2, 256);
     detail::check("aerial_perspective_nodes", s.aerial_perspective_nodes, 1, 8);
@@ -73,15 +72,15 @@ QualitySettings QualitySettings::standard() { return {}; }
 QualitySettings QualitySettings::low() {
     QualitySettings s;
     s.name = "low";
-    s.transmittance = {64, 16, 1};
-    s.transmittance_nodes = 6;
+    s.transmittance = {32, 16, 1};
+    s.transmittance_nodes = 5;
     s.multi_scatter = {16, 8, 1};
+    s.multi_scatter_azimuth = 3;
     s.angular_order = 0;
     s.multi_scatter_zenith = 3;
     s.multi_scatter_nodes = 6;
     s.sky_view = {24, 64, 1};
-    s.sky_view_nodes = 6;
-    s.sky_view_space_nodes = 8;
+    s.sky_view_nodes = 7;
     s.aerial_perspective = {16, 16, 16};
     return s;
 }
@@ -89,7 +88,7 @@ QualitySettings QualitySettings::low() {
 QualitySettings QualitySettings::high() {
     QualitySettings s;
     s.name = "high";
-    s.transmittance = {256, 64, 1};
+    s.transmittance = {128, 64, 1};
     s.multi_scatter = {32, 16, 1};
     s.multi_scatter_zenith = 8;
     s.multi_scatter_azimuth = 5;
@@ -117,7 +116,6 @@ QualitySettings QualitySettings::published_2020() {
     s.multi_scatter_orders = 1;
     s.sky_view = {200, 100, 1};
     s.sky_view_nodes = 30;
-    s.sky_view_space_nodes = 30;
     s.aerial_perspective = {32, 32, 32};
     s.aerial_perspective_nodes = 1;
     s.table_format = rhi::Format::rgba16_float;

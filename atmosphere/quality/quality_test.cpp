@@ -45,8 +45,7 @@ std::vector<Field> samples(int low, int high) {
     using Q = QualitySettings;
     return {{"transmittance_nodes", [](Q& q, int v) { q.transmittance_nodes = v; }, low, high},
             {"multi_scatter_nodes", [](Q& q, int v) { q.multi_scatter_nodes = v; }, low, high},
-            {"sky_view_nodes", [](Q& q, int v) { q.sky_view_nodes = v; }, low, high},
-            {"sky_view_space_nodes", [](Q& q, int v) { q.sky_view_space_nodes = v; }, low, high}};
+            {"sky_view_nodes", [](Q& q, int v) { q.sky_view_nodes = v; }, low, high}};
 }
 
 void check_range(const QualitySettings& valid, const std::vector<Field>& fields) {

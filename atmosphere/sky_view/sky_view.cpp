@@ -26,7 +26,7 @@ std::uint32_t ViewResources::layers_per_sun() const {
 }
 
 SkyViewKey SkyViewKey::of(const ViewBlock& block) {
-    SkyViewKey key{block.camera, block.space, glm::vec4(block.froxels.z), {}};
+    SkyViewKey key{block.camera, block.space, block.table_exposure, {}};
     for (int sun = 0; sun < max_suns; ++sun) key.suns[sun] = {block.sun_direction[sun].w, block.sun_azimuth[sun].w};
     return key;
 }
@@ -38,13 +38,8 @@ SkyViewPass::SkyViewPass(ViewResources& shared) {
     invocations_ = {extent.width, quality.sky_view.height * shared.suns, 1};
     table_ = shared.objects.texture(
         {"sky_view", rhi::Dimension::d2, quality.table_format, extent, rhi::Usage::sampled | rhi::Usage::storage});
-    create(shared, low_, quality.sky_view_nodes);
-    create(shared, high_, quality.sampling == Sampling::gauss ? quality.sky_view_space_nodes : quality.sky_view_nodes);
-}
-
-void SkyViewPass::create(ViewResources& shared, Variant& variant, int nodes) {
     Objects& objects = shared.objects;
-    variant.pipeline = objects.compute(*shader_, shared.specialize().set(8, nodes).values());
+    pipeline_ = objects.compute(*shader_, shared.specialize().set(8, quality.sky_view_nodes).values());
     const rhi::Binding air{0, {}, {}, shared.air.block.handle};
     const rhi::Binding profiles{2, shared.air.profile_table.handle, shared.air.nearest, {}};
     const rhi::Binding transmittance{3, shared.transmittance.handle, shared.air.linear, {}};
@@ -53,29 +48,21 @@ void SkyViewPass::create(ViewResources& shared, Variant& variant, int nodes) {
     const rhi::Binding out{6, table_.handle, {}, {}};
     const rhi::Binding phases{7, shared.air.phase_table.handle, shared.air.nearest, {}};
     if (shader_ == &shaders::sky_view_2020) {
-        variant.bindings =
-            objects.bindings("sky_view", variant.pipeline, {air, profiles, transmittance, multi_scatter, view, out, phases});
+        bindings_ = objects.bindings("sky_view", pipeline_, {air, profiles, transmittance, multi_scatter, view, out, phases});
         return;
     }
-    variant.rule = quadrature_block(nodes);
-    variant.quadrature = objects.constants("sky_view quadrature", sizeof variant.rule);
-    const rhi::Binding quadrature{1, {}, {}, variant.quadrature.handle};
-    variant.bindings = objects.bindings("sky_view", variant.pipeline,
-                                        {air, quadrature, profiles, transmittance, multi_scatter, view, out, phases});
+    rule_ = quadrature_block(quality.sky_view_nodes);
+    quadrature_ = objects.constants("sky_view quadrature", sizeof rule_);
+    const rhi::Binding quadrature{1, {}, {}, quadrature_.handle};
+    bindings_ =
+        objects.bindings("sky_view", pipeline_, {air, quadrature, profiles, transmittance, multi_scatter, view, out, phases});
 }
 
-bool has_long_rays(const ViewBlock& view, const Planet& planet) {
-    return 1e3 * static_cast<double>(view.camera.x) > 0.4 * (planet.top_radius_m - planet.bottom_radius_m);
-}
-
-void SkyViewPass::record(rhi::CommandList& commands, bool long_rays, PassReport& report, TimestampSlots timestamps,
-                         std::uint32_t index) {
-    Variant& variant = long_rays ? high_ : low_;
-    if (variant.quadrature.handle && variant.quadrature.state == rhi::State::undefined)
-        update_block(commands, variant.quadrature, variant.rule);
+void SkyViewPass::record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index) {
+    if (quadrature_.handle && quadrature_.state == rhi::State::undefined) update_block(commands, quadrature_, rule_);
     PassScope scope(commands, report, timestamps, index);
     move(commands, {{&table_, rhi::State::storage_write}});
-    scope.dispatch(*shader_, variant.pipeline, variant.bindings, invocations_);
+    scope.dispatch(*shader_, pipeline_, bindings_, invocations_);
     move(commands, {{&table_, rhi::State::sampled}});
     report.bytes_written = table_.bytes;
 }

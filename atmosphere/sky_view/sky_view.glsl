@@ -49,7 +49,7 @@ real clamp_within_layer(real row, int rows) {
 
 #ifdef AUREOLE_SKY_VIEW_TABLE
 // Texture coordinates of layer 0 of a sun for a direction: cosine and sine of its zenith angle, cosine of its azimuth from the
-// sun's. z: 0 where a camera in space looks past the air.
+// sun's. z: what radiances are to be multiplied by: the inverse of the table's exposure; 0 where a camera in space looks past the air.
 vec3 sky_view_coordinates(int sun, real mu, real sine, real azimuth_cosine) {
     bool below = mu * view.horizon.x + sine * view.horizon.y < 0;
     real across = sine - view.horizon.x;
@@ -61,7 +61,7 @@ vec3 sky_view_coordinates(int sun, real mu, real sine, real azimuth_cosine) {
     real row = real(0.5) + clamp_within_layer(sqrt(min(part, real(1))) * real(half_rows - 1), half_rows) +
                real(sun * sky_view_layers() * rows + (below ? 0 : half_rows));
     bool past = view.camera.w > real(0.5) && !below && part > 1;
-    return vec3(unit_to_texture(sky_view_azimuth_position(azimuth_cosine), size.x), row / real(size.y), past ? real(0) : real(1));
+    return vec3(unit_to_texture(sky_view_azimuth_position(azimuth_cosine), size.x), row / real(size.y), past ? real(0) : view.table_exposure_inverse[sun]);
 }
 vec3 sky_view_layer(vec3 coordinates, int layer) {
     real offset = real(layer) / real(sky_view_all_layers());
@@ -71,7 +71,7 @@ vec3 sky_view_layer(vec3 coordinates, int layer) {
 // Share of light from beyond the air that comes through it, for coordinates of the last sun. Below the horizon: what the air before
 // the ground would let through.
 vec3 sky_view_transmittance(vec3 coordinates) {
-    return coordinates.z > real(0.5) ? exp(-sky_view_layer(coordinates, sky_view_layers())) : vec3(real(1));
+    return coordinates.z > 0 ? exp(-sky_view_layer(coordinates, sky_view_layers())) : vec3(real(1));
 }
 
 // Radiance per unit of the irradiance of the coordinates' sun, 1/sr; nu is the cosine between the direction and that sun.
@@ -84,7 +84,7 @@ vec3 sky_view_radiance(vec3 coordinates, real nu) {
             ++layer;
         }
     }
-    return radiance * (coordinates.z * view.froxels.w);
+    return radiance * coordinates.z;
 }
 #endif
 

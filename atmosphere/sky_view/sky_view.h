@@ -28,31 +28,21 @@ struct SkyViewKey {
     [[nodiscard]] bool operator==(const SkyViewKey&) const noexcept = default;
 };
 
-/// Above two fifths of the shell a ray that grazes the ground is nearly as long as from space.
-[[nodiscard]] bool has_long_rays(const ViewBlock& view, const Planet& planet);
-
 class SkyViewPass {
 public:
     explicit SkyViewPass(ViewResources& shared);
 
-    /// `long_rays`: the camera is so high that rays cross much of the air (has_long_rays).
-    void record(rhi::CommandList& commands, bool long_rays, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
+    void record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
     [[nodiscard]] TrackedTexture& table() noexcept { return table_; }
 
 private:
-    /// Rays from low in the air, and from high in it or from space, where they cross more of it and take more nodes.
-    struct Variant {
-        QuadratureBlock rule;
-        TrackedBuffer quadrature;
-        rhi::Pipeline pipeline;
-        rhi::BindingSet bindings;
-    };
-    void create(ViewResources& shared, Variant& variant, int nodes);
-
     const rhi::Shader* shader_;
     TrackedTexture table_;
     rhi::Extent invocations_;
-    Variant low_, high_;
+    QuadratureBlock rule_;
+    TrackedBuffer quadrature_;
+    rhi::Pipeline pipeline_;
+    rhi::BindingSet bindings_;
 };
 
 }  // namespace aureole::detail

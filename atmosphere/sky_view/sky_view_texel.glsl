@@ -23,7 +23,7 @@ void sky_view_texel(ivec2 id) {
         vec3 irradiance = max(ground_mu_s, real(0)) * transmittance_to_sun(real(0), ground_mu_s) + ground_diffuse_irradiance(ground_mu_s);
         radiance += exp(-light.depth) * (vec3(atm.ground_albedo) / PI) * irradiance;
     }
-    real exposure = view.froxels.z;
+    real exposure = view.table_exposure[sun];
     int base = sun * sky_view_layers() * rows + row;
     int layer = 1;
     for (int c = 0; c < PHASE_COUNT; ++c) {

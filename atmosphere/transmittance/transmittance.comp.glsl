@@ -1,5 +1,5 @@
-// Fills the transmittance table with Gauss-Legendre quadrature: t = D u^2 puts the nodes where the air is dense, so ten nodes
-// do better than forty uniform steps (docs/quadrature.md). See transmittance.glsl for what is stored.
+// Fills the transmittance table with Gauss-Legendre quadrature: the nodes of each term lie where it is dense, so six do
+// better than forty uniform steps (docs/quadrature.md). See transmittance.glsl for what is stored.
 #include "common/constants.glsl"
 #include "common/specialization.glsl"
 #include "common/blocks.glsl"
@@ -12,6 +12,7 @@ SPEC_INT(8, RAY_NODES, 10)
 
 #define AUREOLE_PROFILE_TABLE 2
 #include "common/geometry.glsl"
+#include "common/ray_map.glsl"
 #include "medium/medium.glsl"
 #include "transmittance/transmittance.glsl"
 
@@ -19,14 +20,18 @@ LOCAL_SIZE(64, 1, 1)
 
 // Column of one term's density over [t0, t1].
 real term_column(int i, real altitude, real mu, real t0, real t1, bool dense_end) {
-    real span = max(t1 - t0, real(0));
+    real dense = dense_end ? t1 : t0;
+    real h = altitude_after(altitude, mu, dense);
+    real r = bottom_radius() + altitude;
+    real mu_dense = min(abs(r * mu + dense) / (bottom_radius() + h), real(1));
+    RayMap map = ray_map(max(t1 - t0, real(0)), h, mu_dense, term_kind(i) == PROFILE_EXPONENTIAL ? atm.term_profile[i].x : real(0), real(0));
     real sum = real(0);
     for (int j = 0; j < RAY_NODES; ++j) {
         real u = quadrature.node[j].x;
-        real s = span * u * u;
-        sum += term_density(i, altitude_after(altitude, mu, dense_end ? t1 - s : t0 + s)) * (quadrature.node[j].y * 2 * u);
+        real s = map_distance(map, u);
+        sum += term_density(i, altitude_after(altitude, mu, dense_end ? t1 - s : t0 + s)) * (quadrature.node[j].y * map_rate(map, u));
     }
-    return sum * span;
+    return sum;
 }
 
 // Optical depth of [t0, t1], on which altitude is monotone. Each term by itself: a tent is linear in altitude between its feet

@@ -29,7 +29,6 @@ std::map<std::string, std::string> knobs(const QualitySettings& s) {
             {"multi_scatter_orders", std::to_string(s.multi_scatter_orders)},
             {"sky_view", print(s.sky_view)},
             {"sky_view_nodes", std::to_string(s.sky_view_nodes)},
-            {"sky_view_space_nodes", std::to_string(s.sky_view_space_nodes)},
             {"aerial_perspective", print(s.aerial_perspective)},
             {"aerial_perspective_nodes", std::to_string(s.aerial_perspective_nodes)},
             {"table_format", rhi::to_string(s.table_format)},

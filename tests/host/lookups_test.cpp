@@ -213,7 +213,7 @@ TEST_CASE("nothing jumps where the camera passes the top of the air") {
     Scene scene = noon();
     // Both sides as exact as they get: a jump would remain, the errors of small tables would not.
     scene.setup.quality.sky_view = {12, 600, 1};
-    scene.setup.quality.sky_view_nodes = scene.setup.quality.sky_view_space_nodes = 16;
+    scene.setup.quality.sky_view_nodes = 16;
     const Planet& planet = scene.setup.air.planet;
     const double top = planet.top_radius_m - planet.bottom_radius_m;
     std::vector<Question> questions;

@@ -21,7 +21,6 @@ QualitySettings small_quality() {
     quality.multi_scatter_nodes = 6;
     quality.sky_view = {10, 22, 1};
     quality.sky_view_nodes = 6;
-    quality.sky_view_space_nodes = 8;
     quality.aerial_perspective = {9, 7, 6};
     quality.froxel_format = rhi::Format::rgba32_float;
     return quality;

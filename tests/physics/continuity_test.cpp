@@ -21,7 +21,7 @@ SkyOptions of(const QualitySettings& quality) {
 QualitySettings reference() {
     QualitySettings quality = QualitySettings::standard();
     quality.sky_view = {64, 1024, 1};
-    quality.sky_view_nodes = quality.sky_view_space_nodes = 16;
+    quality.sky_view_nodes = 16;
     return quality;
 }
 

@@ -64,7 +64,6 @@ QualitySettings fine() {
     quality.multi_scatter_zenith = 6;
     quality.multi_scatter_azimuth = 4;
     quality.sky_view_nodes = 16;
-    quality.sky_view_space_nodes = 16;
     return quality;
 }
 

@@ -19,20 +19,19 @@ struct QualitySettings {
     std::string name = "default";
     Sampling sampling = Sampling::gauss;
 
-    rhi::Extent transmittance{128, 32, 1};  ///< Sun-zenith x altitude nodes. Each in [2, 4096].
-    int transmittance_nodes = 10;           ///< Gauss nodes a ray (uniform steps in published_2020), in [2, 16] ([1, 256]).
+    rhi::Extent transmittance{64, 32, 1};  ///< Sun-zenith x altitude nodes. Each in [2, 4096].
+    int transmittance_nodes = 6;           ///< Gauss nodes a ray (uniform steps in published_2020), in [2, 16] ([1, 256]).
 
     rhi::Extent multi_scatter{24, 12, 1};  ///< Sun-cosine x altitude nodes. Each in [2, 256].
     int angular_order = 2;                 ///< L of the moments: 0 (mean alone), 2, 4 or 8; (L+1)(L+2)/2 layers.
     int multi_scatter_zenith = 4;          ///< Gauss directions on each side of the horizon, in [2, 16].
-    int multi_scatter_azimuth = 3;         ///< Directions on a half circle, in [2, 32].
+    int multi_scatter_azimuth = 4;         ///< Directions on a half circle, in [2, 32].
     int multi_scatter_nodes = 8;           ///< Gauss nodes a ray (uniform steps in published_2020), in [2, 16] ([1, 256]).
     int multi_scatter_orders = 3;          ///< Passes of the fixed point before the rest is extrapolated, in [1, 64]. Air in
                                            ///< which orders fade more slowly than in a clear sky gets more, up to 64.
 
-    rhi::Extent sky_view{32, 192, 1};  ///< Azimuth x elevation nodes. Each in [4, 4096].
-    int sky_view_nodes = 8;            ///< Gauss nodes a ray segment (uniform steps in published_2020), in [2, 16] ([1, 256]).
-    int sky_view_space_nodes = 12;     ///< The same for a camera above two fifths of the air, or above all of it.
+    rhi::Extent sky_view{48, 128, 1};  ///< Azimuth x elevation nodes. Each in [4, 4096].
+    int sky_view_nodes = 10;           ///< Gauss nodes a ray segment (uniform steps in published_2020), in [2, 16] ([1, 256]).
 
     rhi::Extent aerial_perspective{32, 32, 32};  ///< Screen x screen x slices. Each in [2, 256].
     int aerial_perspective_nodes = 1;            ///< Slabs of constant air a slice, in [1, 8].

@@ -30,7 +30,7 @@ struct QualitySettings {
     int multi_scatter_orders = 3;          ///< Passes of the fixed point before the rest is extrapolated, in [1, 64]. Air in
                                            ///< which orders fade more slowly than in a clear sky gets more, up to 64.
 
-    rhi::Extent sky_view{48, 128, 1};  ///< Azimuth x elevation nodes. Each in [4, 4096].
+    rhi::Extent sky_view{40, 192, 1};  ///< Azimuth x elevation nodes. Each in [4, 4096].
     int sky_view_nodes = 10;           ///< Gauss nodes a ray segment (uniform steps in published_2020), in [2, 16] ([1, 256]).
 
     rhi::Extent aerial_perspective{32, 32, 32};  ///< Screen x screen x slices. Each in [2, 256].

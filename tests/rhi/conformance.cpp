@@ -22,6 +22,7 @@ std::span<const Check> checks() {
         {"linear filter, repeat", check_linear_repeat},
         {"3d textures", check_3d},
         {"cube textures", check_cube},
+        {"edges of cubes", check_cube_edges},
         {"specialization", check_specialization},
         {"constants", check_constants},
         {"order of updates", check_update_order},

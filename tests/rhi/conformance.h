@@ -41,6 +41,7 @@ void check_linear(const Target&);
 void check_linear_repeat(const Target&);
 void check_3d(const Target&);
 void check_cube(const Target&);
+void check_cube_edges(const Target&);
 void check_specialization(const Target&);  // command_checks.cpp
 void check_constants(const Target&);
 void check_update_order(const Target&);

@@ -104,7 +104,7 @@ struct BufferDesc {
 enum class Filter : std::uint8_t { nearest, linear };
 enum class Address : std::uint8_t { clamp, repeat };
 
-/// Texel centres are at (i + 1/2) / size; coordinates outside [0, 1] follow `address`. There are no mip levels.
+/// Texel centres are at (i + 1/2) / size; outside [0, 1] `address` holds (cubes: filters cross the faces' edges). No mips.
 struct SamplerDesc {
     Filter filter = Filter::linear;
     Address address_u = Address::clamp, address_v = Address::clamp, address_w = Address::clamp;

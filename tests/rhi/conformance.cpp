@@ -11,6 +11,7 @@ std::span<const Check> checks() {
         {"capabilities", check_capabilities},
         {"creation errors", check_creation_errors},
         {"deferred destroy", check_deferred_destroy},
+        {"lent textures", check_lent_textures},
         {"texel round trips", check_texel_round_trips},
         {"texture copies", check_texture_copies},
         {"cube copies", check_cube_copies},

@@ -2,7 +2,7 @@
 #
 # A doctest program <name> (one shared main: tests/doctest_main.cpp) that ctest runs under the same name. It sees the src/
 # folder of the directory it is made in. ctest calls it in that program's own empty working folder. Labels choose what
-# ./test.sh runs where: tests labelled `vulkan` are left out of the sanitizer build (the driver is not ours to check).
+# ./test.sh runs where: tests labelled `vulkan` open a driver and are left out of the sanitizer build.
 find_package(doctest 2.4 REQUIRED)
 
 # Compiled once: doctest's own implementation is by far the slowest part of a test program.

@@ -35,7 +35,7 @@ namespace {
 constexpr Usage texture_usages =
     Usage::sampled | Usage::storage | Usage::color_attachment | Usage::copy_source | Usage::copy_destination;
 constexpr Usage buffer_usages =
-    Usage::storage | Usage::copy_source | Usage::copy_destination | Usage::constants | Usage::read_back | Usage::upload;
+    Usage::copy_source | Usage::copy_destination | Usage::constants | Usage::read_back | Usage::upload;
 
 [[noreturn]] void refuse(const std::string& field, std::string_view value, std::string_view allowed) {
     throw Error(ErrorCode::invalid_argument, field, value, allowed);
@@ -166,6 +166,40 @@ void check(const TextureDesc& desc, const Capabilities& capabilities, const Form
     if (has(desc.usage, Usage::storage) && !support.storage) lacking(format, what, "formats with storage writes");
     if (has(desc.usage, Usage::color_attachment) && !support.color_attachment)
         lacking(format, what, "formats that can be drawn to");
+}
+
+std::optional<Usage> texture_usage_for(State state) noexcept {
+    switch (state) {
+        case State::sampled:
+        case State::depth_read:
+            return Usage::sampled;
+        case State::storage_write:
+            return Usage::storage;
+        case State::color_attachment:
+            return Usage::color_attachment;
+        case State::copy_source:
+            return Usage::copy_source;
+        case State::copy_destination:
+            return Usage::copy_destination;
+        case State::undefined:
+        case State::general:
+            return Usage::none;
+        case State::constants:
+            break;
+    }
+    return std::nullopt;
+}
+
+void check(const ExternalTexture& external, const Capabilities& capabilities, const FormatSupport& support) {
+    const TextureDesc& desc = external.desc;
+    check(desc, capabilities, support);
+    const std::string field = field_name("texture", desc.name, "state");
+    const std::optional<Usage> needed = texture_usage_for(external.state);
+    if (!needed) refuse(field, to_string(external.state), "a state of textures");
+    if (!has(desc.usage, *needed))
+        refuse(field, to_string(external.state), "with usage " + to_string(*needed) + ", not " + to_string(desc.usage));
+    if (external.state == State::depth_read && desc.format != Format::d32_float)
+        refuse(field, to_string(external.state), std::string("with format d32_float, not ") + to_string(desc.format));
 }
 
 void check(const BufferDesc& desc) {

@@ -6,6 +6,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <exception>
+
 namespace aureole::app {
 namespace {
 
@@ -54,7 +56,9 @@ std::unique_ptr<Backend> open_vulkan([[maybe_unused]] const BackendOptions& opti
 
 }  // namespace
 
-std::unique_ptr<Backend> open_backend(const BackendOptions& options) {
+std::unique_ptr<Backend> open_backend(const BackendOptions& options) { return open_backend(options, open_vulkan); }
+
+std::unique_ptr<Backend> open_backend(const BackendOptions& options, const VulkanOpener& open_vulkan) {
     if (options.name == "vulkan") return open_vulkan(options);
     if (options.name == "cpu") return std::make_unique<CpuBackend>(cpu::Precision::float32, options, "");
     if (options.name == "cpu-double") return std::make_unique<CpuBackend>(cpu::Precision::float64, options, "");
@@ -62,9 +66,9 @@ std::unique_ptr<Backend> open_backend(const BackendOptions& options) {
         throw Error(ErrorCode::invalid_argument, "backend", "\"" + options.name + "\"", "auto, vulkan, cpu or cpu-double");
     try {
         return open_vulkan(options);
-    } catch (const Error& reason) {
+    } catch (const std::exception& reason) {
         // Whoever named a device or asked for the validation layer does not want another backend instead.
-        if (reason.code() != ErrorCode::unsupported || !options.device.empty() || options.validation) throw;
+        if (!options.device.empty() || options.validation) throw;
         return std::make_unique<CpuBackend>(cpu::Precision::float32, options, reason.what());
     }
 }

@@ -45,14 +45,18 @@ protected:
     std::string name_, note_;
 
 private:
-    friend std::unique_ptr<Backend> open_backend(const BackendOptions& options);
     static void on_message(void* user, rhi::Severity severity, const char* text);
     std::uint64_t frame_ = 0;
     std::vector<std::string> errors_;
 };
 
+/// "auto" is Vulkan if that can be opened, else the CPU in float, with the reason in `describe`; but whoever named a device or
+/// asked for the validation layer gets the reason as the error.
 /// Throws Error: invalid_argument (name), unsupported (no such device; says why).
 [[nodiscard]] std::unique_ptr<Backend> open_backend(const BackendOptions& options);
+/// The same with another way to open Vulkan.
+using VulkanOpener = std::function<std::unique_ptr<Backend>(const BackendOptions&)>;
+[[nodiscard]] std::unique_ptr<Backend> open_backend(const BackendOptions& options, const VulkanOpener& open_vulkan);
 
 /// Textures that die with it, and the ways into and out of them.
 class DeviceTextures {

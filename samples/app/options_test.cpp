@@ -27,6 +27,21 @@ TEST_CASE("open_backend: names and reasons") {
     CHECK(complaint([] { (void)open_backend({.name = "auto", .device = "no such device"}); }) != "nothing");
 }
 
+TEST_CASE("open_backend: auto is the CPU whatever keeps Vulkan from opening, and says what") {
+    using aureole::Error, aureole::ErrorCode;
+    for (const ErrorCode code :
+         {ErrorCode::unsupported, ErrorCode::out_of_memory, ErrorCode::device_lost, ErrorCode::internal}) {
+        const auto fail = [&](const BackendOptions&) -> std::unique_ptr<Backend> { throw Error(code, "the driver is ill"); };
+        const auto backend = open_backend({.name = "auto"}, fail);
+        CHECK(backend->name() == "cpu");
+        CHECK(contains(backend->describe(), "not vulkan: the driver is ill"));
+        CHECK(contains(complaint([&] { (void)open_backend({.name = "vulkan"}, fail); }), "the driver is ill"));
+        CHECK(contains(complaint([&] { (void)open_backend({.name = "auto", .device = "x"}, fail); }), "the driver is ill"));
+        CHECK(
+            contains(complaint([&] { (void)open_backend({.name = "auto", .validation = true}, fail); }), "the driver is ill"));
+    }
+}
+
 TEST_CASE("DeviceTextures: the device's limit is named") {
     const auto backend = open_backend({.name = "cpu"});
     DeviceTextures textures(*backend);

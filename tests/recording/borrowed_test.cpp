@@ -103,11 +103,12 @@ public:
         host_.move(color_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
         host_.move(depth_, VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL);
         host_.move(target_, target_layout_);
-        rhi::CommandList& commands = device_->begin_list(guest_->begin_recording(host_.commands()));
+        rhi::CommandList& commands = device_->begin_list(guest_->begin_recording(host_.commands()), ++frame_);
         record(commands);
         device_->end_list();
         guest_->end_recording();
         const std::vector<std::byte> bytes = host_.read(target_, {extent.width, extent.height, 1}, 16 * 20 * 12);
+        device_->collect(frame_);
         std::vector<float> numbers(bytes.size() / sizeof(float));
         std::memcpy(numbers.data(), bytes.data(), bytes.size());
         Image image{size, std::vector<glm::dvec4>(numbers.size() / 4)};
@@ -121,6 +122,7 @@ private:
     Host& host_;
     VkImageLayout target_layout_;
     HostImage &color_, &depth_, &target_;
+    std::uint64_t frame_ = 0;
     std::unique_ptr<vulkan::BorrowedVulkanDevice> guest_;
     std::unique_ptr<rhi::ValidationDevice> device_;
 };

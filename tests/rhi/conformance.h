@@ -5,6 +5,7 @@
 #include <aureole/rhi/device.h>
 
 #include <cstddef>
+#include <functional>
 #include <span>
 
 namespace aureole::conformance {
@@ -15,6 +16,9 @@ struct Target {
     /// The device rounds every store to nearest even and filters in full precision (the CPU backend). Otherwise either
     /// neighbour of the exact value is accepted, denormals may vanish, and filter weights may have 8 bits.
     bool exact = false;
+    /// Makes a texture of a host's and lends it in State::general; it stays as long as the device. Empty: nothing can be lent,
+    /// and lent textures are not checked.
+    std::function<rhi::ExternalTexture(const rhi::TextureDesc&)> lend{};
 };
 
 struct Check {
@@ -30,6 +34,7 @@ void run_all(const Target& target);
 void check_capabilities(const Target&);  // objects_checks.cpp
 void check_creation_errors(const Target&);
 void check_deferred_destroy(const Target&);
+void check_lent_textures(const Target&);
 void check_texel_round_trips(const Target&);  // copy_checks.cpp
 void check_texture_copies(const Target&);
 void check_cube_copies(const Target&);
@@ -41,6 +46,7 @@ void check_linear(const Target&);
 void check_linear_repeat(const Target&);
 void check_3d(const Target&);
 void check_cube(const Target&);
+void check_cube_edges(const Target&);
 void check_specialization(const Target&);  // command_checks.cpp
 void check_constants(const Target&);
 void check_update_order(const Target&);

@@ -43,6 +43,8 @@ public:
 
     /// Submits what was recorded and waits.
     void run();
+    /// The frame of the latest run.
+    [[nodiscard]] std::uint64_t frame() const noexcept { return frame_; }
     /// The texture's bytes after everything recorded so far.
     std::vector<std::byte> read_packed(rhi::Texture texture);
     std::vector<Texel> read(rhi::Texture texture);

@@ -114,6 +114,7 @@ void check_deferred_destroy(const Target& target) {
     const auto source = h.filled("source", extent, texels);
     const auto image = h.texture("image", Format::rgba32_float, extent, Usage::storage | Usage::copy_source);
     const auto pipeline = h.compute(shaders::conformance_copy);
+    h.run();
 
     // Made, recorded, destroyed, and only then submitted.
     const Sampler sampler = target.device.create_sampler({Filter::nearest});
@@ -123,14 +124,79 @@ void check_deferred_destroy(const Target& target) {
         target.device.create_texture({"short-lived texture", Dimension::d2, Format::rgba16_float, {64, 64, 1}, Usage::sampled});
     h.use(image, State::storage_write);
     h.dispatch(pipeline, set, {1, 1, 1});
-    constexpr std::uint64_t far_future = 1u << 30;
-    target.device.destroy(set, far_future);
-    target.device.destroy(sampler, far_future);
+    target.device.destroy(set, h.frame() + 1);
+    target.device.destroy(sampler, h.frame() + 1);
     target.device.destroy(unused, 0);
     target.device.destroy(Texture{}, 0);  // null: nothing
-    target.device.collect(0);
+    target.device.collect(h.frame());
     CHECK(h.read(image) == texels);
-    target.device.collect(far_future);
+}
+
+void check_lent_textures(const Target& target) {
+    if (!target.lend) return;
+    Harness h(target);
+    const Extent extent{8, 4, 1};
+    const Usage usage = Usage::sampled | Usage::storage | Usage::copy_source | Usage::copy_destination;
+    const ExternalTexture host = target.lend({"host's texture", Dimension::d2, Format::rgba32_float, extent, usage});
+    REQUIRE(host.state == State::general);
+    const Texture lent = target.device.wrap_texture(host);
+    const auto move = [&](Texture texture, State before, State after) {
+        const TextureBarrier barrier{texture, before, after};
+        h.list().barrier({&barrier, 1}, {});
+    };
+    const auto pipeline = h.compute(shaders::conformance_copy);
+    const auto sampler = h.sampler(Filter::nearest);
+    const auto image = h.texture("image", Format::rgba32_float, extent, Usage::storage | Usage::copy_source);
+    const auto other = h.filled("other", extent, std::vector<Texel>(32, Texel{5, 6, 7, 8}));
+    const auto from_lent = h.bind(pipeline, {{0, lent, sampler, {}}, {1, image, {}, {}}});
+    const auto to_lent = h.bind(pipeline, {{0, other, sampler, {}}, {1, lent, {}, {}}});
+
+    // Out of `general`, into every state that work is done in, and back.
+    const std::vector<Texel> texels(32, Texel{1, 2, 3, 4});
+    const auto packed = pack(Format::rgba32_float, texels);
+    const auto upload = h.buffer("upload", packed.size(), Usage::upload);
+    target.device.write_buffer(upload, packed);
+    h.use(upload, State::copy_source);
+    move(lent, State::general, State::copy_destination);
+    h.list().copy(BufferToTexture{upload, lent});
+    move(lent, State::copy_destination, State::general);
+    h.run();
+    move(lent, State::general, State::sampled);
+    h.use(image, State::storage_write);
+    h.dispatch(pipeline, from_lent, {1, 1, 1});
+    move(lent, State::sampled, State::storage_write);
+    h.dispatch(pipeline, to_lent, {1, 1, 1});
+    move(lent, State::storage_write, State::general);
+    CHECK(h.read(image) == texels);
+
+    // Lent a second time, and destroyed where it cannot be moved back any more: the device does that at the end of the list.
+    ExternalTexture again = host;
+    again.desc.name = "bad guest";
+    const Texture doomed = target.device.wrap_texture(again);
+    move(doomed, State::general, State::storage_write);
+    target.device.destroy(doomed, h.frame() + 1);
+    h.run();
+    const auto read_back = h.buffer("read-back", packed.size(), Usage::read_back);
+    h.use(read_back, State::copy_destination);
+    move(lent, State::general, State::copy_source);
+    h.list().copy(TextureToBuffer{lent, read_back});
+    move(lent, State::copy_source, State::general);
+    h.run();
+    std::vector<std::byte> got(packed.size());
+    target.device.read_buffer(read_back, got);
+    CHECK(unpack(Format::rgba32_float, got) == std::vector<Texel>(32, Texel{5, 6, 7, 8}));
+
+    const auto refused = [&](const char* what, State state, Usage allowed) {
+        ExternalTexture bad = host;
+        bad.desc.name = "bad texture";
+        bad.desc.usage = allowed;
+        bad.state = state;
+        check_refused(what, ErrorCode::invalid_argument, "bad texture", [&] { (void)target.device.wrap_texture(bad); });
+    };
+    refused("a state of buffers", State::constants, usage);
+    refused("storage writes without the usage", State::storage_write, Usage::sampled);
+    refused("depth without a depth format", State::depth_read, usage);
+    target.device.destroy(lent, h.frame());
 }
 
 }  // namespace aureole::conformance

@@ -149,31 +149,78 @@ void check_3d(const Target& target) {
     CHECK(h.read(image) == wanted);
 }
 
-void check_cube(const Target& target) {
-    constexpr int size = 4;
+namespace {
+
+constexpr int cube_size = 4;
+
+bool cubes_work(const Target& target) {
     const FormatSupport support = target.device.format_support(Format::rgba16_float, Dimension::cube);
-    if (!support.sampled || !support.storage) return;
-    Harness h(target);
-    const auto cube = h.texture("cube", Format::rgba16_float, {size, size, 1},
+    return support.sampled && support.storage;
+}
+
+/// Every texel holds its column, row and face.
+Texture filled_cube(Harness& h) {
+    const auto cube = h.texture("cube", Format::rgba16_float, {cube_size, cube_size, 1},
                                 Usage::sampled | Usage::storage | Usage::copy_source, Dimension::cube);
     const auto pipeline = h.compute(shaders::conformance_fill_cube);
     const auto set = h.bind(pipeline, {{0, cube, {}, {}}});
     h.use(cube, State::storage_write);
     h.dispatch(pipeline, set, {1, 1, 6});
     h.use(cube, State::sampled);
+    return cube;
+}
 
-    // Directions of texel centres, and what stands there. Faces +x -x +y -y +z -z; s runs along a row, t down the rows.
+/// The direction of a place on a face. Faces +x -x +y -y +z -z; s runs along a row, t down the rows, both from -1 to 1.
+Texel cube_direction(std::size_t face, double s, double t) {
+    const Texel by_face[6] = {{1, -t, -s, 0}, {-1, -t, s, 0}, {s, 1, t, 0}, {s, -1, -t, 0}, {s, -t, 1, 0}, {-s, -t, -1, 0}};
+    return by_face[face];
+}
+
+double cube_centre(int i) { return (2 * i + 1.0) / cube_size - 1; }
+
+Texel cube_texel(std::size_t face, int x, int y) { return {double(x), double(y), double(face), cube_size}; }
+
+/// What linear filtering finds one step beyond an edge of a face: of the texels on the other faces, the one closest to that
+/// place. Beyond a corner: the mean of the three texels there.
+Texel cube_texel_beyond(std::size_t face, int x, int y) {
+    const auto inside = [](int i) { return std::clamp(i, 0, cube_size - 1); };
+    if (inside(x) == x && inside(y) == y) return cube_texel(face, x, y);
+    if (inside(x) != x && inside(y) != y) {
+        const Texel a = cube_texel(face, inside(x), inside(y)), b = cube_texel_beyond(face, x, inside(y)),
+                    c = cube_texel_beyond(face, inside(x), y);
+        Texel mean;
+        for (std::size_t i = 0; i < 4; ++i) mean[i] = (a[i] + b[i] + c[i]) / 3;
+        return mean;
+    }
+    const Texel place = cube_direction(face, cube_centre(x), cube_centre(y));
+    Texel closest{};
+    double least = 1e9;
+    for (std::size_t other = 0; other < 6; ++other)
+        for (int k = 0; k < cube_size * cube_size && other != face; ++k) {
+            const int column = k % cube_size, row = k / cube_size;
+            const Texel centre = cube_direction(other, cube_centre(column), cube_centre(row));
+            double distance = 0;
+            for (std::size_t i = 0; i < 3; ++i) distance += (centre[i] - place[i]) * (centre[i] - place[i]);
+            if (distance < least) least = distance, closest = cube_texel(other, column, row);
+        }
+    return closest;
+}
+
+}  // namespace
+
+void check_cube(const Target& target) {
+    if (!cubes_work(target)) return;
+    Harness h(target);
+    const auto cube = filled_cube(h);
+    // Directions of texel centres, and what stands there.
     std::vector<Texel> directions, wanted;
-    for (int face = 0; face < 6; ++face)
-        for (int y = 0; y < size; ++y)
-            for (int x = 0; x < size; ++x) {
-                const double s = (2 * x + 1.0) / size - 1, t = (2 * y + 1.0) / size - 1;
-                const Texel by_face[6] = {{1, -t, -s, 0}, {-1, -t, s, 0}, {s, 1, t, 0},
-                                          {s, -1, -t, 0}, {s, -t, 1, 0},  {-s, -t, -1, 0}};
-                Texel direction = by_face[face];
-                for (double& component : direction) component *= 0.25 * (face + 1);  // length does not matter
+    for (std::size_t face = 0; face < 6; ++face)
+        for (int y = 0; y < cube_size; ++y)
+            for (int x = 0; x < cube_size; ++x) {
+                Texel direction = cube_direction(face, cube_centre(x), cube_centre(y));
+                for (double& component : direction) component *= 0.25 * (double(face) + 1);  // length does not matter
                 directions.push_back(direction);
-                wanted.push_back({double(x), double(y), double(face), size});
+                wanted.push_back(cube_texel(face, x, y));
             }
     for (const Filter filter : {Filter::nearest, Filter::linear}) {
         const auto got = look_up(h, shaders::conformance_sample_cube, cube, h.sampler(filter), directions);
@@ -183,6 +230,39 @@ void check_cube(const Target& target) {
         CHECK(error <= (filter == Filter::nearest ? 0 : tolerance(h, 5)));
     }
     CHECK(h.read(cube) == wanted);  // copies take the faces in the same order
+}
+
+void check_cube_edges(const Target& target) {
+    if (!cubes_work(target)) return;
+    Harness h(target);
+    const auto cube = filled_cube(h);
+    // Places all over each face, up to its edges and corners. Off the very border, where the face is a matter of rounding.
+    constexpr int steps = 32;
+    std::vector<Texel> directions, wanted;
+    for (std::size_t face = 0; face < 6; ++face)
+        for (int j = 0; j < steps; ++j)
+            for (int i = 0; i < steps; ++i) {
+                const double s = (2 * i + 1.0) / steps - 1, t = (2 * j + 1.0) / steps - 1;
+                directions.push_back(cube_direction(face, s, t));
+                const double x = (s + 1) / 2 * cube_size - 0.5, y = (t + 1) / 2 * cube_size - 0.5;
+                const int left = static_cast<int>(std::floor(x)), top = static_cast<int>(std::floor(y));
+                const double right_weight = x - left, lower_weight = y - top;
+                Texel mixed{};
+                for (const int dy : {0, 1})
+                    for (const int dx : {0, 1}) {
+                        const Texel texel = cube_texel_beyond(face, left + dx, top + dy);
+                        const double weight = (dx ? right_weight : 1 - right_weight) * (dy ? lower_weight : 1 - lower_weight);
+                        for (std::size_t c = 0; c < 4; ++c) mixed[c] += weight * texel[c];
+                    }
+                wanted.push_back(mixed);
+            }
+    const auto got = look_up(h, shaders::conformance_sample_cube, cube, h.sampler(Filter::linear), directions);
+    for (std::size_t k = 0; k < got.size(); ++k) {
+        CAPTURE(directions[k][0]);
+        CAPTURE(directions[k][1]);
+        CAPTURE(directions[k][2]);
+        for (std::size_t c = 0; c < 4; ++c) CHECK(std::abs(got[k][c] - wanted[k][c]) <= tolerance(h, 10));
+    }
 }
 
 }  // namespace aureole::conformance

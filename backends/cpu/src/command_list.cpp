@@ -50,9 +50,15 @@ void CpuCommandList::update_constants(rhi::Buffer buffer, std::span<const std::b
 }
 
 void CpuCommandList::barrier(std::span<const rhi::TextureBarrier> textures, std::span<const rhi::BufferBarrier> buffers) {
-    // Commands run one after the other and each waits for its threads: there is nothing left to wait for.
-    for (const auto& b : textures)
-        if (!device_.find(b.texture)) device_.report(rhi::Severity::error, "barrier: unknown or destroyed texture");
+    // Commands run one after the other and each waits for its threads: there is nothing left to wait for. But contents that
+    // may be thrown away are, so that whoever still reads them notices. Those of the host's memory are not ours.
+    for (const auto& b : textures) {
+        const auto texture = device_.textures().alive(b.texture);
+        if (!texture)
+            device_.report(rhi::Severity::error, "barrier: unknown or destroyed texture");
+        else if (b.before == rhi::State::undefined && b.after != rhi::State::undefined && !texture->of_host())
+            record({}, DiscardCommand{b.texture});
+    }
     for (const auto& b : buffers)
         if (!device_.find(b.buffer)) device_.report(rhi::Severity::error, "barrier: unknown or destroyed buffer");
 }

@@ -26,6 +26,10 @@ struct DrawCommand {
     rhi::BindingSet bindings;
     rhi::Texture target;
 };
+/// A barrier from State::undefined.
+struct DiscardCommand {
+    rhi::Texture texture;
+};
 struct TimestampCommand {
     std::uint32_t index;
 };
@@ -37,6 +41,7 @@ enum class CommandType : std::uint32_t {
     texture_to_buffer,
     buffer_to_texture,
     texture_to_texture,
+    discard,
     timestamp
 };
 
@@ -65,6 +70,10 @@ constexpr CommandType command_type<rhi::BufferToTexture>() {
 template <>
 constexpr CommandType command_type<rhi::TextureToTexture>() {
     return CommandType::texture_to_texture;
+}
+template <>
+constexpr CommandType command_type<DiscardCommand>() {
+    return CommandType::discard;
 }
 template <>
 constexpr CommandType command_type<TimestampCommand>() {
@@ -115,6 +124,9 @@ public:
                     break;
                 case CommandType::texture_to_texture:
                     at += call<rhi::TextureToTexture>(visitor, at, header.payload);
+                    break;
+                case CommandType::discard:
+                    at += call<DiscardCommand>(visitor, at, header.payload);
                     break;
                 case CommandType::timestamp:
                     at += call<TimestampCommand>(visitor, at, header.payload);

@@ -83,7 +83,7 @@ rhi::Texture CpuRhiDevice::create_texture(const rhi::TextureDesc& desc) {
 
 rhi::Texture CpuRhiDevice::wrap_texture(const rhi::ExternalTexture& external) {
     const rhi::TextureDesc& desc = external.desc;
-    rhi::check(desc, capabilities_, format_support(desc.format, desc.dimension));
+    rhi::check(external, capabilities_, format_support(desc.format, desc.dimension));
     if (!external.cpu_texels)
         throw Error(ErrorCode::invalid_argument, rhi::field_name("texture", desc.name, "cpu_texels"), "null",
                     "the host's texels, tightly packed");

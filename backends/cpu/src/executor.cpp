@@ -147,6 +147,10 @@ void Executor::execute(const rhi::TextureToTexture& command, std::span<const std
     destination.copy_from(source);
 }
 
+void Executor::execute(const DiscardCommand& command, std::span<const std::byte>) {
+    get(device_.textures(), command.texture, "texture").discard(device_.workers());
+}
+
 void Executor::execute(const TimestampCommand& command, std::span<const std::byte>) {
     device_.set_timestamp(command.index, seconds_now() * 1e9);
 }

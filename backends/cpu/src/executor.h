@@ -24,6 +24,7 @@ private:
     void execute(const rhi::TextureToBuffer& command, std::span<const std::byte>);
     void execute(const rhi::BufferToTexture& command, std::span<const std::byte>);
     void execute(const rhi::TextureToTexture& command, std::span<const std::byte>);
+    void execute(const DiscardCommand& command, std::span<const std::byte>);
     void execute(const TimestampCommand& command, std::span<const std::byte>);
 
     void run_kernel(PipelineObject& pipeline, const BindingsObject* bindings, std::span<const std::byte> push_constants,

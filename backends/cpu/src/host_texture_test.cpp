@@ -1,6 +1,7 @@
 // Textures of the host's: packed memory that is read before the work and written after it.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "test_kernels.h"
@@ -97,6 +98,36 @@ TEST_CASE("work that fails leaves the host's memory as it was") {
     d->queue().begin().dispatch({pipeline, set, {}, {1, 2, 1}});
     CHECK_THROWS_AS(d->queue().submit(), Error);
     for (const auto b : memory) CHECK(b == std::byte(0));
+}
+
+TEST_CASE("a barrier from undefined throws contents away, but not those of the host's memory") {
+    for (const Precision precision : {Precision::float32, Precision::float64}) {
+        const auto d = create_cpu_device({.precision = precision});
+        const rhi::Extent extent{3, 2, 1};
+        std::vector<std::byte> memory;
+        const auto host = wrap(*d, Format::r32_float, extent, memory);
+        const auto own = make_texture(*d, Format::rg32_float, extent), kept = make_texture(*d, Format::r32_float, extent);
+        const auto upload = d->device().create_buffer({"upload", 6 * 8, rhi::Usage::upload});
+        std::vector<float> ones(12, 1.0f);
+        d->device().write_buffer(upload, std::as_bytes(std::span(ones)));
+        auto& list = d->queue().begin();
+        for (const auto texture : {host, own, kept}) list.copy(rhi::BufferToTexture{upload, texture});
+        const rhi::TextureBarrier barriers[] = {{host, rhi::State::undefined, rhi::State::sampled},
+                                                {own, rhi::State::undefined, rhi::State::sampled},
+                                                {kept, rhi::State::copy_destination, rhi::State::sampled}};
+        list.barrier(barriers, {});
+        d->queue().submit();
+        const auto of_own = d->read_texels_double(own), of_kept = d->read_texels_double(kept);
+        for (std::size_t i = 0; i < 6; ++i) {
+            CHECK(std::isnan(of_own[4 * i]));
+            CHECK(std::isnan(of_own[4 * i + 1]));
+            CHECK(of_own[4 * i + 3] == 1);  // alpha, which the format has not
+            CHECK(of_kept[4 * i] == 1);
+        }
+        float texels[6];
+        std::memcpy(texels, memory.data(), memory.size());
+        for (const float texel : texels) CHECK(texel == 1);
+    }
 }
 
 TEST_CASE("a host texture without memory is refused") {

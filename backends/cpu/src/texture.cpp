@@ -3,6 +3,8 @@
 #include <aureole/rhi/checks.h>
 #include <aureole/rhi/texel.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <new>
 
@@ -28,10 +30,18 @@ real initial_value(rhi::Format format) {
 }
 
 template <class real>
+void make_fresh(rhi::Format format, std::span<real> texels) {
+    std::array<real, 4> texel;
+    texel.fill(initial_value<real>(format));
+    rhi::confine(format, texel.data());
+    for (std::size_t i = 0; i < texels.size(); i += 4) std::copy(texel.begin(), texel.end(), texels.data() + i);
+}
+
+template <class real>
 std::vector<real> fresh_texels(const rhi::TextureDesc& desc, std::uint64_t count) {
     if (count > std::numeric_limits<std::size_t>::max() / (4 * sizeof(real))) throw std::bad_alloc();
-    std::vector<real> texels(4 * static_cast<std::size_t>(count), initial_value<real>(desc.format));
-    for (std::size_t i = 0; i < texels.size(); i += 4) rhi::confine(desc.format, texels.data() + i);
+    std::vector<real> texels(4 * static_cast<std::size_t>(count));
+    make_fresh(desc.format, std::span(texels));
     return texels;
 }
 
@@ -83,6 +93,16 @@ void TextureObject::copy_from(const TextureObject& source) {
         [&](auto& texels) {
             const auto& from = std::get<std::decay_t<decltype(texels)>>(source.texels_);
             std::copy(from.begin(), from.end(), texels.begin());
+        },
+        texels_);
+}
+
+void TextureObject::discard(Workers& workers) {
+    std::visit(
+        [&](auto& texels) {
+            workers.for_each(texel_count_, texels_per_piece, [&](std::size_t begin, std::size_t end) {
+                make_fresh(desc_.format, std::span(texels).subspan(4 * begin, 4 * (end - begin)));
+            });
         },
         texels_);
 }

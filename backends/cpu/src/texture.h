@@ -28,6 +28,8 @@ public:
     void encode_to(std::span<std::byte> packed, Workers& workers) const;
     /// Same format and extent. Nothing is rounded.
     void copy_from(const TextureObject& source);
+    /// Fresh contents.
+    void discard(Workers& workers);
     [[nodiscard]] std::vector<double> to_double() const;
 
     [[nodiscard]] bool of_host() const noexcept { return host_ != nullptr; }

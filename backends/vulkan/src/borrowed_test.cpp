@@ -74,10 +74,10 @@ TEST_CASE("the guest reads and writes the host's images inside the host's comman
     Device& device = guest->device();
     device.set_message_callback(Messages::collect, &host.messages);
 
-    const Texture source =
-        device.wrap_texture(lend(color, "host colour", Format::rgba32_float, Usage::sampled, State::color_attachment));
-    const Texture target =
-        device.wrap_texture(lend(result, "host result", Format::rgba32_float, Usage::storage, State::copy_source));
+    const Texture source = device.wrap_texture(
+        lend(color, "host colour", Format::rgba32_float, Usage::sampled | Usage::color_attachment, State::color_attachment));
+    const Texture target = device.wrap_texture(
+        lend(result, "host result", Format::rgba32_float, Usage::storage | Usage::copy_source, State::copy_source));
     const CopyWork work(device, source, target);
 
     for (int frame = 0; frame < 3; ++frame) {
@@ -210,6 +210,32 @@ TEST_CASE("a texture lent in an undefined state is taken over, and forgetting it
     guest->device().destroy(lent, 1);
     guest->device().collect(1);
     CHECK(host.read(image, {extent.width, extent.height, 1}, 8).size() == 8);
+}
+
+TEST_CASE("a texture that is forgotten while it is away from the state it was lent in is returned to it all the same") {
+    AUREOLE_NEEDS_VULKAN;
+    Host host;
+    HostImage& image =
+        host.make_image_2d(VK_FORMAT_R16G16B16A16_SFLOAT, extent, VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
+    const auto guest = borrow_vulkan_device(host.lend());
+    std::uint64_t frame = 0;
+    const auto lend_again = [&] {
+        return guest->device().wrap_texture(
+            lend(image, "forgotten", Format::rgba16_float, Usage::storage | Usage::sampled, State::sampled));
+    };
+    for (int round = 0; round < 2; ++round) {
+        host.move(image, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+        const Texture lent = lend_again();
+        CommandList& list = guest->begin_recording(host.commands());
+        move(list, lent, State::sampled, State::storage_write);
+        guest->device().destroy(lent, ++frame);
+        guest->end_recording();
+        // A recording that comes before the frame is complete has nothing to return any more.
+        (void)guest->begin_recording(host.commands());
+        guest->end_recording();
+        CHECK(host.read(image, {extent.width, extent.height, 1}, 8).size() == 8);  // from the layout it was lent in
+        guest->device().collect(frame);
+    }
 }
 
 TEST_CASE("outside of a recording the guest's list records nothing and says so") {

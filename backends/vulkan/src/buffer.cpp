@@ -12,7 +12,6 @@ namespace {
 
 VkBufferUsageFlags buffer_usage(rhi::Usage usage) {
     VkBufferUsageFlags flags = 0;
-    if (has(usage, rhi::Usage::storage)) flags |= VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
     // A copy is how bytes get into constants (update_constants) and read_back buffers, and out of upload buffers.
     if (has(usage, rhi::Usage::constants)) flags |= VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
     if (has(usage, rhi::Usage::read_back)) flags |= VK_BUFFER_USAGE_TRANSFER_DST_BIT;

@@ -30,14 +30,15 @@ CommandList::CommandList(Device& device) : device_(device), context_(device.cont
 void CommandList::begin(VkCommandBuffer commands) noexcept {
     commands_ = commands;
     open_markers_ = 0;
-    device_.objects().textures.for_each([](TextureObject& texture) { texture.start_recording(); });
+    device_.objects().for_each_texture([](TextureObject& texture) { texture.start_recording(); });
 }
 
 void CommandList::end() noexcept {
     if (!commands_) return;
     {
         BarrierBatch batch(context_, commands_);
-        device_.objects().textures.for_each([&](TextureObject& texture) {
+        // Also those that were destroyed meanwhile: the host's image lives on.
+        device_.objects().for_each_texture([&](TextureObject& texture) {
             if (texture.is_lent() && texture.last_state != texture.lent_state())
                 batch.add(texture, texture.last_state, texture.lent_state());
         });

@@ -52,7 +52,7 @@ rhi::Texture Device::create_texture(const rhi::TextureDesc& desc) {
 }
 
 rhi::Texture Device::wrap_texture(const rhi::ExternalTexture& external) {
-    rhi::check(external.desc, capabilities_, format_support(external.desc.format, external.desc.dimension));
+    rhi::check(external, capabilities_, format_support(external.desc.format, external.desc.dimension));
     return objects_.textures.add(std::make_unique<TextureObject>(context_, render_passes_, external));
 }
 

@@ -114,7 +114,63 @@ VKAPI_ATTR void VKAPI_CALL bare_queue(VkPhysicalDevice device, uint32_t* count, 
     }
 }
 
+/// Two devices that are the same one; opening fails for the first `openings_to_fail` of them.
+int openings_to_fail = 0, openings = 0;
+VKAPI_ATTR VkResult VKAPI_CALL two_devices(VkInstance instance, uint32_t* count, VkPhysicalDevice* devices) {
+    uint32_t one = 1;
+    VkPhysicalDevice device = VK_NULL_HANDLE;
+    const auto real = truth_of<PFN_vkEnumeratePhysicalDevices>("vkEnumeratePhysicalDevices");
+    if (const VkResult result = real(instance, &one, &device); result < VK_SUCCESS) return result;
+    for (uint32_t i = 0; devices && i < *count; ++i) devices[i] = device;
+    *count = 2;
+    return VK_SUCCESS;
+}
+VKAPI_ATTR VkResult VKAPI_CALL fail_to_open(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
+                                            const VkAllocationCallbacks* allocator, VkDevice* device) {
+    if (openings++ < openings_to_fail) return openings == 1 ? VK_ERROR_OUT_OF_HOST_MEMORY : VK_ERROR_INITIALIZATION_FAILED;
+    return truth_of<PFN_vkCreateDevice>("vkCreateDevice")(physical, info, allocator, device);
+}
+/// The same for a later step: the device is there, its queue's command pool is not.
+VKAPI_ATTR VkResult VKAPI_CALL fail_to_make_pool(VkDevice device, const VkCommandPoolCreateInfo* info,
+                                                 const VkAllocationCallbacks* allocator, VkCommandPool* pool) {
+    if (openings++ < openings_to_fail) return VK_ERROR_OUT_OF_HOST_MEMORY;
+    return truth_of<PFN_vkCreateCommandPool>("vkCreateCommandPool")(device, info, allocator, pool);
+}
+
 }  // namespace
+
+TEST_CASE("if a device cannot be opened the next one is, with a warning; if none can, each one's reason is told") {
+    AUREOLE_NEEDS_VULKAN;
+    for (const bool late : {false, true}) {
+        CAPTURE(late);
+        Lies lies;
+        lies.tell("vkEnumeratePhysicalDevices", two_devices);
+        if (late)
+            lies.tell("vkCreateCommandPool", fail_to_make_pool);
+        else
+            lies.tell("vkCreateDevice", fail_to_open);
+        openings = 0, openings_to_fail = 1;
+        TestDevice vulkan(lied_to());  // fails the test if anything is left of the first
+        CHECK(openings == 2);
+        CHECK(vulkan.messages.texts.size() == 1);
+        CHECK(vulkan.messages.mention("VK_ERROR_OUT_OF_HOST_MEMORY"));
+        vulkan.messages.texts.clear();
+    }
+    Lies lies;
+    lies.tell("vkEnumeratePhysicalDevices", two_devices);
+    lies.tell("vkCreateDevice", fail_to_open);
+    openings = 0, openings_to_fail = 2;
+    const Error none = failure_of([&] { (void)create_vulkan_device(lied_to()); });
+    CHECK(none.code() == ErrorCode::out_of_memory);  // the better one's
+    CHECK(mentions(none, "VK_ERROR_OUT_OF_HOST_MEMORY"));
+    CHECK(mentions(none, "VK_ERROR_INITIALIZATION_FAILED"));
+
+    openings = 0, openings_to_fail = 1;
+    VulkanDeviceDesc desc = lied_to();
+    desc.index = 1;  // whoever names a device gets that one or none
+    CHECK(failure_of([&] { (void)create_vulkan_device(desc); }).code() == ErrorCode::out_of_memory);
+    CHECK(openings == 1);
+}
 
 TEST_CASE("a lost device is an Error of that kind, at submission and at waiting, and can still be destroyed") {
     AUREOLE_NEEDS_VULKAN;

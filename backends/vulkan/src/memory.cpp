@@ -10,6 +10,11 @@ namespace {
 
 constexpr VkDeviceSize shared_block_size = VkDeviceSize{8} << 20;
 
+/// Memory that needs a use or a feature of its own, which is never asked for or enabled.
+constexpr VkMemoryPropertyFlags special_properties =
+    VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT | VK_MEMORY_PROPERTY_PROTECTED_BIT | VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD |
+    VK_MEMORY_PROPERTY_DEVICE_UNCACHED_BIT_AMD;
+
 constexpr VkDeviceSize align_up(VkDeviceSize value, VkDeviceSize alignment) {
     return (value + alignment - 1) / alignment * alignment;
 }
@@ -17,6 +22,9 @@ constexpr VkDeviceSize align_up(VkDeviceSize value, VkDeviceSize alignment) {
 }  // namespace
 
 std::optional<VkDeviceSize> FreeRanges::take(VkDeviceSize size, VkDeviceSize alignment) {
+    // Between and around n taken ranges lie at most n + 1 free ones; `give` adds one before it merges neighbours.
+    const std::size_t most = taken_ + 3;
+    if (ranges_.capacity() < most) ranges_.reserve(2 * most);
     for (std::size_t i = 0; i < ranges_.size(); ++i) {
         const Range range = ranges_[i];
         const VkDeviceSize offset = align_up(range.offset, alignment);
@@ -28,12 +36,14 @@ std::optional<VkDeviceSize> FreeRanges::take(VkDeviceSize size, VkDeviceSize ali
         auto at = ranges_.begin() + static_cast<std::ptrdiff_t>(i);
         if (after.size > 0) at = ranges_.insert(at, after);
         if (before.size > 0) ranges_.insert(at, before);
+        ++taken_;
         return offset;
     }
     return std::nullopt;
 }
 
-void FreeRanges::give(VkDeviceSize offset, VkDeviceSize size) {
+void FreeRanges::give(VkDeviceSize offset, VkDeviceSize size) noexcept {
+    --taken_;
     const auto later = [](VkDeviceSize value, const Range& range) { return value < range.offset; };
     auto at = ranges_.insert(std::upper_bound(ranges_.begin(), ranges_.end(), offset, later), Range{offset, size});
     if (const auto next = at + 1; next != ranges_.end() && at->offset + at->size == next->offset) {
@@ -78,7 +88,7 @@ std::vector<std::uint32_t> Memory::candidate_types(std::uint32_t allowed, Memory
     for (std::uint32_t i = 0; i < types_.memoryTypeCount; ++i) {
         const VkMemoryPropertyFlags flags = types_.memoryTypes[i].propertyFlags;
         if (!(allowed & (1u << i)) || (flags & needed) != needed) continue;
-        if (flags & (VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT | VK_MEMORY_PROPERTY_PROTECTED_BIT)) continue;
+        if (flags & special_properties) continue;
         ((flags & liked) == liked ? first : second).push_back(i);
     }
     first.insert(first.end(), second.begin(), second.end());

@@ -21,7 +21,7 @@ public:
     /// Offset of `size` > 0 bytes at a multiple of `alignment` > 0, now in use; nothing if there is no room.
     [[nodiscard]] std::optional<VkDeviceSize> take(VkDeviceSize size, VkDeviceSize alignment);
     /// Returns what `take` gave.
-    void give(VkDeviceSize offset, VkDeviceSize size);
+    void give(VkDeviceSize offset, VkDeviceSize size) noexcept;
     /// Nothing is in use.
     [[nodiscard]] bool empty() const noexcept { return ranges_.size() == 1 && ranges_[0].size == size_; }
 
@@ -30,7 +30,8 @@ private:
         VkDeviceSize offset, size;
     };
     VkDeviceSize size_;
-    std::vector<Range> ranges_;
+    std::size_t taken_ = 0;      ///< Takes without their give.
+    std::vector<Range> ranges_;  ///< With room for what `give` adds: it must not allocate.
 };
 
 enum class MemoryUse {

@@ -1,5 +1,7 @@
 #include "memory.h"
 
+#include "test_allocations.h"
+
 #include <aureole/rhi/error.h>
 #include <doctest/doctest.h>
 
@@ -42,6 +44,18 @@ TEST_CASE("ranges given out never overlap, are aligned, and merge again when the
     CHECK(free.empty());
     CHECK(free.take(size, 1) == VkDeviceSize{0});
     CHECK(!free.take(1, 1));
+}
+
+TEST_CASE("returning a range allocates nothing, in whatever order") {
+    constexpr std::size_t count = 257;
+    FreeRanges free(count);
+    for (std::size_t i = 0; i < count; ++i) REQUIRE(free.take(1, 1));
+    test::count_allocations(true);
+    for (std::size_t i = 0; i < count; i += 2) free.give(i, 1);  // no neighbours to merge with: the most ranges there can be
+    for (std::size_t i = 1; i < count; i += 2) free.give(i, 1);
+    test::count_allocations(false);
+    CHECK(test::counted_allocations() == 0);
+    CHECK(free.empty());
 }
 
 namespace {
@@ -135,6 +149,25 @@ TEST_CASE("memory suits its use, and other types are tried when one is exhausted
     const auto elsewhere = memory.allocate(large, MemoryUse::device, linear, "d");
     CHECK(FakeDevice::type_of(elsewhere) != 0);
     for (const auto& allocation : {device, upload, read_back, elsewhere}) memory.free(allocation);
+}
+
+TEST_CASE("memory types that need a use or a feature of their own are left alone, even where nothing else is left") {
+    for (const VkMemoryPropertyFlags special :
+         {VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT, VK_MEMORY_PROPERTY_PROTECTED_BIT, VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD,
+          VK_MEMORY_PROPERTY_DEVICE_UNCACHED_BIT_AMD}) {
+        CAPTURE(special);
+        FakeDevice fake;
+        fake.types.memoryTypes[0].propertyFlags |= special;
+        fake.types.memoryTypes[1].propertyFlags |= special;
+        Memory memory(fake.functions, VK_NULL_HANDLE, fake.types, 100, VkDeviceSize{1} << 31);
+        for (const MemoryUse use : {MemoryUse::device, MemoryUse::upload, MemoryUse::read_back}) {
+            const auto allocation = memory.allocate(small, use, linear, "a");
+            CHECK(FakeDevice::type_of(allocation) == 2);
+            memory.free(allocation);
+        }
+        FakeDevice::exhausted = {2};
+        CHECK_THROWS_AS((void)memory.allocate(small, MemoryUse::device, linear, "b"), Error);
+    }
 }
 
 TEST_CASE("lack of memory is an error that says what for, and how much") {

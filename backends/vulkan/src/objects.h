@@ -61,6 +61,14 @@ public:
     bool destroy(rhi::AnyHandle handle, std::uint64_t last_used_frame);
     void collect(std::uint64_t completed_frame) noexcept;
 
+    /// Every texture that is still there, destroyed ones that wait for their last frame included.
+    template <class Visitor>
+    void for_each_texture(Visitor&& visit) const {
+        textures.for_each(visit);
+        for (const auto& [frame, object] : doomed_)
+            if (const auto* texture = std::get_if<std::unique_ptr<TextureObject>>(&object)) visit(**texture);
+    }
+
 private:
     auto& registry_of(rhi::Texture) noexcept { return textures; }
     auto& registry_of(rhi::Buffer) noexcept { return buffers; }

@@ -132,14 +132,14 @@ std::uint32_t choose_queue_family(const PhysicalDevice& device) {
     return draws < device.queue_families.size() ? draws : first_with(VK_QUEUE_COMPUTE_BIT);
 }
 
-const PhysicalDevice& choose(const std::vector<PhysicalDevice>& devices, const VulkanDeviceDesc& desc) {
+std::vector<const PhysicalDevice*> choose(const std::vector<PhysicalDevice>& devices, const VulkanDeviceDesc& desc) {
     if (devices.empty()) throw Error(ErrorCode::unsupported, "no Vulkan device: no driver is installed that works here");
     const int count = static_cast<int>(devices.size());
     if (desc.index < -1 || desc.index >= count)
         throw Error(ErrorCode::invalid_argument, "index", std::to_string(desc.index),
                     "-1 (any) to " + std::to_string(count - 1));
 
-    const PhysicalDevice* best = nullptr;
+    std::vector<const PhysicalDevice*> usable;
     std::string problems;
     bool named = false;
     for (int i = 0; i < count; ++i) {
@@ -149,12 +149,16 @@ const PhysicalDevice& choose(const std::vector<PhysicalDevice>& devices, const V
         named = true;
         if (const std::string problem = problem_of(device, device.features); !problem.empty())
             problems += std::string(problems.empty() ? "" : "; ") + device.properties.deviceName + " " + problem;
-        else if (!best || rank(device.properties.deviceType) < rank(best->properties.deviceType))
-            best = &device;
+        else
+            usable.push_back(&device);
     }
     if (!named) throw Error(ErrorCode::unsupported, "name", desc.name, "part of a device's name: " + names_of(devices));
-    if (!best) throw Error(ErrorCode::unsupported, "no usable Vulkan device: " + problems);
-    return *best;
+    if (usable.empty()) throw Error(ErrorCode::unsupported, "no usable Vulkan device: " + problems);
+    const auto better = [](const PhysicalDevice* a, const PhysicalDevice* b) {
+        return rank(a->properties.deviceType) < rank(b->properties.deviceType);
+    };
+    std::stable_sort(usable.begin(), usable.end(), better);
+    return usable;
 }
 
 VulkanDeviceInfo info_of(const PhysicalDevice& device, std::uint32_t index) {

@@ -36,8 +36,9 @@ struct PhysicalDevice {
 /// The queue family to use: graphics and compute if possible, so that raster passes work. Only for a device without problem.
 [[nodiscard]] std::uint32_t choose_queue_family(const PhysicalDevice& device);
 
-/// The device that `desc` asks for. Throws Error (see create_vulkan_device).
-[[nodiscard]] const PhysicalDevice& choose(const std::vector<PhysicalDevice>& devices, const VulkanDeviceDesc& desc);
+/// The usable devices that `desc` allows, the best first; at least one. Throws Error (see create_vulkan_device).
+[[nodiscard]] std::vector<const PhysicalDevice*> choose(const std::vector<PhysicalDevice>& devices,
+                                                        const VulkanDeviceDesc& desc);
 
 /// An entry of list_vulkan_devices.
 [[nodiscard]] VulkanDeviceInfo info_of(const PhysicalDevice& device, std::uint32_t index);

@@ -25,9 +25,6 @@ TextureObject::TextureObject(Context& context, RenderPasses& passes, const rhi::
     : context_(context), desc_(external.desc), lent_(true), lent_state_(external.state) {
     if (external.native == 0)
         throw Error(ErrorCode::invalid_argument, rhi::field_name("texture", desc_.name, "native"), "0", "a VkImage");
-    if (lent_state_ == rhi::State::constants || lent_state_ > rhi::State::general)
-        throw Error(ErrorCode::invalid_argument, rhi::field_name("texture", desc_.name, "state"), rhi::to_string(lent_state_),
-                    "a state of textures");
     image_ = reinterpret_cast<VkImage>(external.native);
     try {
         create_views(reinterpret_cast<VkImageView>(external.native_view));

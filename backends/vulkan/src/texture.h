@@ -13,7 +13,7 @@ class TextureObject {
 public:
     /// `desc` has passed rhi::check. Throws Error and leaves nothing behind.
     TextureObject(Context& context, RenderPasses& passes, const rhi::TextureDesc& desc);
-    /// A host's image. Throws Error.
+    /// A host's image; `external` has passed rhi::check. Throws Error.
     TextureObject(Context& context, RenderPasses& passes, const rhi::ExternalTexture& external);
     ~TextureObject();
     TextureObject(const TextureObject&) = delete;

@@ -48,7 +48,40 @@ public:
     explicit OwnDevice(const VulkanDeviceDesc& desc)
         : sink_(sink_of(desc)), instance_(open_vulkan(desc.loader), desc.validation, sink_) {
         const std::vector<PhysicalDevice> found = enumerate(instance_.functions(), instance_.handle());
-        const PhysicalDevice& physical = choose(found, desc);
+        const std::vector<const PhysicalDevice*> usable = choose(found, desc);
+        ErrorCode code = ErrorCode::unsupported;
+        std::string reasons;
+        for (std::size_t i = 0; i < usable.size() && !queue_; ++i) {
+            try {
+                open(*usable[i]);
+            } catch (const Error& error) {
+                close();
+                if (usable.size() == 1) throw;
+                if (i == 0) code = error.code();
+                const std::string reason = usable[i]->properties.deviceName + std::string(": ") + error.what();
+                sink_.send(rhi::Severity::warning, ("this Vulkan device cannot be opened: " + reason).c_str());
+                reasons += (reasons.empty() ? "" : "; ") + reason;
+            }
+        }
+        if (!queue_) throw Error(code, "no Vulkan device can be opened: " + reasons);
+    }
+    /// A lost device waits for nothing; its objects may and must still be freed.
+    ~OwnDevice() override { device_->context().fn.vkDeviceWaitIdle(handles_.device); }
+
+    [[nodiscard]] rhi::Device& device() override { return *device_; }
+    [[nodiscard]] rhi::Queue& queue() override { return *queue_; }
+    [[nodiscard]] VulkanHandles handles() const override { return handles_; }
+    [[nodiscard]] NativeTexture native(rhi::Texture texture) const override { return device_->native(texture); }
+    [[nodiscard]] VkBuffer native(rhi::Buffer buffer) const override { return device_->native(buffer); }
+
+private:
+    static MessageSink sink_of(const VulkanDeviceDesc& desc) {
+        MessageSink sink;
+        sink.set(desc.message_callback, desc.message_user);
+        return sink;
+    }
+
+    void open(const PhysicalDevice& physical) {
         handles_.instance = instance_.handle();
         handles_.physical_device = physical.handle;
         handles_.queue_family = choose_queue_family(physical);
@@ -67,20 +100,11 @@ public:
         device_->context().fn.vkGetDeviceQueue(handles_.device, handles_.queue_family, 0, &handles_.queue);
         queue_.emplace(*device_, handles_.queue);
     }
-    /// A lost device waits for nothing; its objects may and must still be freed.
-    ~OwnDevice() override { device_->context().fn.vkDeviceWaitIdle(handles_.device); }
-
-    [[nodiscard]] rhi::Device& device() override { return *device_; }
-    [[nodiscard]] rhi::Queue& queue() override { return *queue_; }
-    [[nodiscard]] VulkanHandles handles() const override { return handles_; }
-    [[nodiscard]] NativeTexture native(rhi::Texture texture) const override { return device_->native(texture); }
-    [[nodiscard]] VkBuffer native(rhi::Buffer buffer) const override { return device_->native(buffer); }
-
-private:
-    static MessageSink sink_of(const VulkanDeviceDesc& desc) {
-        MessageSink sink;
-        sink.set(desc.message_callback, desc.message_user);
-        return sink;
+    /// What `open` made before it failed.
+    void close() noexcept {
+        queue_.reset();
+        device_.reset();
+        native_.reset();
     }
 
     // Destroyed from the last to the first.

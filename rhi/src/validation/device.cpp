@@ -10,7 +10,7 @@
 namespace aureole::rhi::validation {
 
 WatchingDevice::WatchingDevice(Device& inner, const ValidationDesc& desc)
-    : inner_(inner), reporter_(desc), list_(*this), timestamp_written_(inner.capabilities().timestamp_slots, false) {
+    : inner_(inner), reporter_(desc), list_(*this), timestamp_frames_(inner.capabilities().timestamp_slots, 0) {
     inner_.set_message_callback(
         [](void* user, Severity severity, const char* text) { static_cast<Reporter*>(user)->pass_on(severity, text); },
         &reporter_);
@@ -54,7 +54,7 @@ Texture WatchingDevice::create_texture(const TextureDesc& desc) {
 
 Texture WatchingDevice::wrap_texture(const ExternalTexture& external) {
     const Texture texture = created([&] {
-        check(external.desc, capabilities(), format_support(external.desc.format, external.desc.dimension));
+        check(external, capabilities(), format_support(external.desc.format, external.desc.dimension));
         return inner_.wrap_texture(external);
     });
     TextureRecord record{external.desc, {}, true, external.state, 0};
@@ -141,13 +141,48 @@ void WatchingDevice::destroy_one(Handle handle, std::uint64_t last_used_frame) {
                     ", but frame " + std::to_string(record->last_frame) + " uses it and has not finished";
     // Too early for the inner device: kept until the last frame that really uses it.
     const std::uint64_t frame = complaint.empty() ? last_used_frame : record->last_frame;
+    // Nobody can move it any more: what must hold at the end of the list must hold now.
+    std::string left;
+    if constexpr (std::is_same_v<Handle, Texture>)
+        if (list_.open()) left = complain_left(*record, "destroy");
     all.destroy(handle);
     inner_.destroy(handle, frame);
-    if (!complaint.empty()) reporter_.misuse(complaint);
+    for (const std::string& text : {complaint, left})
+        if (!text.empty()) reporter_.misuse(text);
 }
 
 void WatchingDevice::destroy(AnyHandle handle, std::uint64_t last_used_frame) {
     std::visit([&](auto h) { destroy_one(h, last_used_frame); }, handle);
+}
+
+std::string WatchingDevice::complain_left(const TextureRecord& texture, const char* when) {
+    if (!texture.of_host || texture.host_state == State::undefined || texture.contents.state == texture.host_state) return {};
+    return std::string(when) + ": " + quoted(texture) + " of the host is left in state " + to_string(texture.contents.state) +
+           ", not in " + to_string(texture.host_state);
+}
+
+void WatchingDevice::collect(std::uint64_t completed_frame) {
+    // What is being recorded has not been submitted, let alone finished.
+    std::uint64_t possible = completed_frame;
+    if (list_.open()) possible = std::min(possible, recording_frame_ - 1);
+    if (submitted_frame_) possible = std::min(possible, *submitted_frame_);
+    complete(possible);
+    inner_.collect(possible);
+    if (possible < completed_frame)
+        reporter_.misuse("collect: frame " + std::to_string(completed_frame) + " is said to be complete, but " +
+                         (list_.open() && possible == recording_frame_ - 1
+                              ? "frame " + std::to_string(recording_frame_) + " is still being recorded"
+                              : "the last one submitted is frame " + std::to_string(*submitted_frame_)));
+}
+
+void WatchingDevice::complete(std::uint64_t frame) {
+    completed_frame_ = std::max(completed_frame_, frame);
+    const auto finish_all = [&](auto& records) {
+        for (auto& [handle, record] : records.alive())
+            if (record.last_frame <= completed_frame_) finish(record.contents);
+    };
+    finish_all(textures);
+    finish_all(buffers);
 }
 
 void WatchingDevice::check_cpu_access(Buffer buffer, const char* function, Usage usage, std::size_t bytes) {
@@ -179,24 +214,32 @@ void WatchingDevice::read_buffer(Buffer buffer, std::span<std::byte> bytes) {
 }
 
 void WatchingDevice::read_timestamps(std::span<double> out_nanoseconds) {
-    if (out_nanoseconds.size() > timestamp_written_.size())
+    if (out_nanoseconds.size() > timestamp_frames_.size())
         reporter_.misuse_and_throw("read_timestamps: " + std::to_string(out_nanoseconds.size()) +
-                                   " slots are not allowed; allowed: up to " + std::to_string(timestamp_written_.size()));
-    const auto end = timestamp_written_.begin() + static_cast<std::ptrdiff_t>(out_nanoseconds.size());
-    const auto missing = std::find(timestamp_written_.begin(), end, false);
-    if (missing != end)
-        reporter_.misuse("read_timestamps: slot " + std::to_string(missing - timestamp_written_.begin()) +
-                         " has never been written");
+                                   " slots are not allowed; allowed: up to " + std::to_string(timestamp_frames_.size()));
     inner_.read_timestamps(out_nanoseconds);
+    const auto frames = std::span(timestamp_frames_).first(out_nanoseconds.size());
+    const auto wrong = std::find_if(frames.begin(), frames.end(), [&](auto f) { return f == 0 || f > completed_frame_; });
+    if (wrong == frames.end()) return;
+    reporter_.misuse("read_timestamps: slot " + std::to_string(wrong - frames.begin()) +
+                     (*wrong == 0 ? std::string(" has never been written")
+                                  : " is written by frame " + std::to_string(*wrong) + ", which has not finished"));
 }
 
-CommandList& WatchingDevice::begin_list(CommandList& inner) {
+CommandList& WatchingDevice::begin_list(CommandList& inner, std::uint64_t frame) {
     if (list_.open()) reporter_.misuse_and_throw("begin_list: the list begun before has not been ended");
+    std::string wrong;
+    if (frame <= completed_frame_)
+        wrong = frame == 0 ? "allowed: 1 or more" : "frame " + std::to_string(completed_frame_) + " is complete";
+    else if (frame < recording_frame_)
+        wrong = "frame " + std::to_string(recording_frame_) + " has been recorded";
+    recording_frame_ = std::max(frame, recording_frame_);
     for (auto& [handle, texture] : textures.alive()) {
         if (!texture.of_host) continue;
-        texture.contents = {texture.host_state, texture.host_state != State::undefined, {}, {}};
+        texture.contents = {texture.host_state, texture.host_state != State::undefined, {}};
     }
     list_.begin(inner);
+    if (!wrong.empty()) reporter_.misuse("begin_list: frame " + std::to_string(frame) + " cannot be recorded: " + wrong);
     return list_;
 }
 
@@ -204,19 +247,7 @@ void WatchingDevice::end_list() {
     if (!list_.open()) reporter_.misuse_and_throw("end_list: no list has been begun");
     list_.end();
     for (const auto& [handle, texture] : textures.alive())
-        if (texture.of_host && texture.host_state != State::undefined && texture.contents.state != texture.host_state)
-            reporter_.misuse("end of list: " + quoted(texture) + " of the host is left in state " +
-                             to_string(texture.contents.state) + ", not in " + to_string(texture.host_state));
-}
-
-void WatchingDevice::set_frames(std::uint64_t recording, std::uint64_t completed) {
-    recording_frame_ = recording;
-    completed_frame_ = completed;
-}
-
-void WatchingDevice::finish_all() {
-    for (auto& [handle, texture] : textures.alive()) finish(texture.contents);
-    for (auto& [handle, buffer] : buffers.alive()) finish(buffer.contents);
+        if (const std::string text = complain_left(texture, "end of list"); !text.empty()) reporter_.misuse(text);
 }
 
 const TextureDesc* WatchingDevice::find(Texture texture) const {

@@ -4,6 +4,7 @@
 #include <aureole/rhi/validation.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "command_list.h"
@@ -27,19 +28,20 @@ public:
     [[nodiscard]] Pipeline create_raster_pipeline(const RasterPipelineDesc& desc) override;
     [[nodiscard]] BindingSet create_binding_set(const BindingSetDesc& desc) override;
     void destroy(AnyHandle handle, std::uint64_t last_used_frame) override;
-    void collect(std::uint64_t completed_frame) override { inner_.collect(completed_frame); }
+    void collect(std::uint64_t completed_frame) override;
     void write_buffer(Buffer buffer, std::span<const std::byte> bytes) override;
     void read_buffer(Buffer buffer, std::span<std::byte> bytes) override;
     void read_timestamps(std::span<double> out_nanoseconds) override;
     void set_message_callback(MessageCallback callback, void* user) override { reporter_.set_callback(callback, user); }
 
-    CommandList& begin_list(CommandList& inner) override;
+    CommandList& begin_list(CommandList& inner, std::uint64_t frame) override;
     void end_list() override;
     [[nodiscard]] std::uint64_t misuse_count() const override { return reporter_.count(); }
 
-    // For the queue: frames in flight.
-    void set_frames(std::uint64_t recording, std::uint64_t completed);
-    void finish_all();
+    // For the queue, which counts the frames if there is one.
+    void count_submitted(std::optional<std::uint64_t> frame) { submitted_frame_ = frame; }
+    /// All work up to this frame has finished.
+    void complete(std::uint64_t frame);
     [[nodiscard]] bool list_open() const { return list_.open(); }
 
     // For the command list.
@@ -50,7 +52,7 @@ public:
     /// The record, noted as used by the frame that is being recorded; null, and a report, if it is not alive.
     template <class Handle>
     auto* recorded(Handle handle, const char* function);
-    void note_timestamp(std::uint32_t index) { timestamp_written_[index] = true; }
+    void note_timestamp(std::uint32_t index) { timestamp_frames_[index] = recording_frame_; }
 
     Records<Texture, TextureRecord> textures;
     Records<Buffer, BufferRecord> buffers;
@@ -70,13 +72,17 @@ private:
     auto created(const Make& make);
     template <class Handle>
     void destroy_one(Handle handle, std::uint64_t last_used_frame);
+    /// What is wrong if the list ends with the texture as it is now; empty if nothing.
+    [[nodiscard]] static std::string complain_left(const TextureRecord& texture, const char* when);
     void check_cpu_access(Buffer buffer, const char* function, Usage usage, std::size_t bytes);
 
     Device& inner_;
     Reporter reporter_;
     WatchingCommandList list_;
-    std::vector<bool> timestamp_written_;
-    std::uint64_t recording_frame_ = 0, completed_frame_ = 0;  // 0: the host counts its own frames
+    std::vector<std::uint64_t> timestamp_frames_;  // the frame that writes each slot; 0: none yet
+    std::uint64_t recording_frame_ = 0;            // of the latest list
+    std::uint64_t completed_frame_ = 0;
+    std::optional<std::uint64_t> submitted_frame_;  // where a queue counts them
 };
 
 template <class Handle>

@@ -1,5 +1,7 @@
 #include "hazards.h"
 
+#include <optional>
+
 namespace aureole::rhi::validation {
 namespace {
 
@@ -10,7 +12,7 @@ bool is_depth(const BufferRecord&) { return false; }
 template <class Record>
 bool allows(const Record& record, State wanted) {
     const State state = record.contents.state;
-    if (state == wanted || state == State::general) return true;
+    if (state == wanted) return true;
     return is_depth(record) && wanted == State::sampled && state == State::depth_read;
 }
 
@@ -21,40 +23,24 @@ std::string complain(const Access<Record>& access, const std::string& who) {
     const Contents& c = record.contents;
     const std::string start = who + ": " + quoted(record);
     const char* verb = access.write ? "written" : "read";
-    if (!c.writer.empty() && (access.write || !allows(record, access.state) || c.state == State::general))
+    if (!c.writer.empty() && (access.write || !allows(record, access.state)))
         return start + " is " + verb + " without a barrier after its last write (" + c.writer + ")";
     if (!allows(record, access.state))
         return start + " is in state " + to_string(c.state) + "; needed: " + to_string(access.state);
-    if (access.write && !c.reader.empty()) return start + " is written without a barrier after it was read (" + c.reader + ")";
     if (!access.write && !c.defined) return start + " is read, but nothing has been written into it";
     return {};
 }
 
-/// Reads and writes of the same resource by one command, which State::general would let pass.
-template <class Record>
-void check_overlap(std::span<const Access<Record>> accesses, const std::string& who, Reporter& reporter) {
-    for (const auto& a : accesses)
-        for (const auto& b : accesses)
-            if (a.write && !b.write && a.record == b.record && a.record->contents.state == State::general)
-                reporter.misuse(who + ": " + quoted(*a.record) + " is read and written by the same command");
-}
-
 template <class Record>
 void check_all(std::span<const Access<Record>> accesses, const std::string& who, Reporter& reporter) {
-    check_overlap(accesses, who, reporter);
     for (const auto& access : accesses)
         if (const std::string text = complain(access, who); !text.empty()) reporter.misuse(text);
 }
 
 template <class Record>
 void note_all(std::span<const Access<Record>> accesses, const std::string& who) {
-    for (const auto& access : accesses) {
-        Contents& c = access.record->contents;
-        if (access.write)
-            c.writer = who, c.defined = true;
-        else if (c.state == State::general)
-            c.reader = who;
-    }
+    for (const auto& access : accesses)
+        if (access.write) access.record->contents.writer = who, access.record->contents.defined = true;
 }
 
 /// The usage that a resource needs to be moved to a state (none: any will do), and whether it can be in that state at all.
@@ -62,31 +48,13 @@ struct Needed {
     Usage usage = Usage::none;
     bool possible = true;
 };
-Needed needed_usage(const TextureRecord&, State state) {
-    switch (state) {
-        case State::sampled:
-        case State::depth_read:
-            return {Usage::sampled};
-        case State::storage_write:
-            return {Usage::storage};
-        case State::color_attachment:
-            return {Usage::color_attachment};
-        case State::copy_source:
-            return {Usage::copy_source};
-        case State::copy_destination:
-            return {Usage::copy_destination};
-        case State::general:
-            return {};
-        case State::undefined:
-        case State::constants:
-            break;
-    }
-    return {Usage::none, false};
+Needed needed_usage(const TextureRecord& texture, State state) {
+    const std::optional<Usage> usage = texture_usage_for(state);
+    if (!usage || state == State::undefined || (state == State::general && !texture.of_host)) return {Usage::none, false};
+    return {*usage};
 }
 Needed needed_usage(const BufferRecord& buffer, State state) {
     switch (state) {
-        case State::storage_write:
-            return {Usage::storage};
         case State::copy_source:
             return {has(buffer.desc.usage, Usage::upload) ? Usage::none : Usage::copy_source};
         case State::copy_destination: {
@@ -96,8 +64,6 @@ Needed needed_usage(const BufferRecord& buffer, State state) {
         }
         case State::constants:
             return {Usage::constants};
-        case State::general:
-            return {};
         default:
             break;
     }
@@ -124,7 +90,6 @@ void move_any(Record& record, State before, State after, bool keeps_contents, Re
     Contents& c = record.contents;
     c.state = after;
     c.writer.clear();
-    c.reader.clear();
     if (before == State::undefined && !keeps_contents) c.defined = false;
     if (!text.empty()) reporter.misuse(text);
 }
@@ -146,9 +111,6 @@ void move(BufferRecord& buffer, State before, State after, Reporter& reporter) {
     move_any(buffer, before, after, true, reporter);
 }
 
-void finish(Contents& contents) {
-    contents.writer.clear();
-    contents.reader.clear();
-}
+void finish(Contents& contents) { contents.writer.clear(); }
 
 }  // namespace aureole::rhi::validation

@@ -14,7 +14,7 @@ namespace aureole::rhi::validation {
 template <class Record>
 struct Access {
     Record* record = nullptr;
-    State state = State::undefined;  ///< The state in which this use is allowed (beside State::general).
+    State state = State::undefined;  ///< The state in which this use is allowed.
     bool write = false;
 };
 using TextureAccess = Access<TextureRecord>;

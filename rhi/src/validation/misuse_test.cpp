@@ -46,8 +46,21 @@ TEST_CASE("what the device refuses at creation is reported with the object's nam
     CHECK_THROWS_AS((void)r.device->wrap_texture({{"flat", Dimension::d3, Format::rgba16_float, {8, 8, 0}, Usage::sampled}}),
                     Error);
     r.check_reported({"texture \"flat\" extent.depth", "0"});
+    const auto lend = [&](State state, Usage usage) {
+        (void)r.device->wrap_texture({.desc = {"lent", Dimension::d2, Format::rgba16_float, {8, 8, 1}, usage}, .state = state});
+    };
+    CHECK_THROWS_AS(lend(State::constants, Usage::sampled), Error);
+    r.check_reported({"texture \"lent\" state", "constants", "a state of textures"});
+    CHECK_THROWS_AS(lend(static_cast<State>(77), Usage::sampled), Error);
+    r.check_reported({"texture \"lent\" state", "a state of textures"});
+    CHECK_THROWS_AS(lend(State::storage_write, Usage::sampled), Error);
+    r.check_reported({"texture \"lent\" state", "storage_write", "with usage storage, not sampled"});
+    CHECK_THROWS_AS(lend(State::depth_read, Usage::sampled), Error);
+    r.check_reported({"texture \"lent\" state", "depth_read", "with format d32_float, not rgba16_float"});
     CHECK_THROWS_AS((void)r.device->create_buffer({"void", 0, Usage::upload}), Error);
     r.check_reported({"buffer \"void\" size", "0"});
+    CHECK_THROWS_AS((void)r.device->create_buffer({"wrong", 64, Usage::storage}), Error);
+    r.check_reported({"buffer \"wrong\" usage", "storage", "constants"});
     CHECK_THROWS_AS((void)r.device->create_buffer({"large", 65540, Usage::constants}), Error);
     r.check_reported({"buffer \"large\" size", "65540"});
     CHECK_THROWS_AS((void)r.device->create_sampler({static_cast<Filter>(9)}), Error);
@@ -170,8 +183,10 @@ TEST_CASE("markers, timestamps and lists") {
     r.check_reported({"marker \"forgotten\" has not been ended"});
     r.list->timestamp(0);
     r.check_reported({"timestamp", "outside begin and submit"});
-    r.queue->wait();
     double times[5];
+    r.device->read_timestamps(std::span(times).first(1));
+    r.check_reported({"read_timestamps", "slot 0 is written by frame 1, which has not finished"});
+    r.queue->wait();
     r.device->read_timestamps(std::span(times).first(1));
     CHECK(r.messages.empty());
     r.device->read_timestamps(std::span(times).first(2));
@@ -254,12 +269,96 @@ TEST_CASE("messages of the inner device pass through, and a host's lists can be 
     r.check_reported({"from inside"});
     CHECK(r.device->misuse_count() == 0);
     validation::NullCommandList host_list;
-    CommandList& list = r.device->begin_list(host_list);
-    CHECK_THROWS_AS((void)r.device->begin_list(host_list), Error);
+    CommandList& list = r.device->begin_list(host_list, 1);
+    CHECK_THROWS_AS((void)r.device->begin_list(host_list, 1), Error);
     r.check_reported({"begin_list", "not been ended"});
     list.timestamp(1);
     CHECK(host_list.log == std::vector<std::string>{"timestamp 1"});
     r.device->end_list();
     CHECK_THROWS_AS(r.device->end_list(), Error);
     r.check_reported({"end_list", "no list"});
+}
+
+TEST_CASE("a host's own lists: what they use is in use until the host says that their frame is complete") {
+    Rig r;
+    r.queue.reset();
+    validation::NullCommandList host_list;
+    const auto record_copy = [&](std::uint64_t frame) {
+        r.list = &r.device->begin_list(host_list, frame);
+        r.move(r.upload, State::undefined, State::copy_source);
+        r.move(r.lake, State::undefined, State::copy_destination);
+        r.list->copy(BufferToTexture{r.upload, r.lake});
+        r.list->timestamp(0);
+        CHECK(r.messages.empty());
+    };
+    std::byte bytes[4] = {};
+    double time[1];
+    r.device->write_buffer(r.upload, bytes);
+    record_copy(7);
+    CHECK_THROWS_AS(r.device->write_buffer(r.upload, bytes), Error);
+    r.check_reported({"write_buffer", "buffer \"upload\" is in use by frame 7"});
+    r.device->read_timestamps(time);
+    r.check_reported({"read_timestamps", "slot 0 is written by frame 7, which has not finished"});
+    r.device->collect(1000);
+    r.check_reported({"collect: frame 1000", "frame 7 is still being recorded"});
+    CHECK(r.inner.collected_frames.back() == 6);  // nothing that is in use is freed
+    r.device->destroy(r.lake, 6);
+    r.check_reported({"destroy", "texture \"lake\"", "last used by frame 6", "frame 7 uses it"});
+    CHECK(r.inner.destroyed_frames.back() == 7);
+    r.device->end_list();
+    CHECK_THROWS_AS(r.device->write_buffer(r.upload, bytes), Error);  // recorded, but not complete
+    r.check_reported({"buffer \"upload\" is in use by frame 7"});
+    r.device->collect(6);
+    CHECK_THROWS_AS(r.device->write_buffer(r.upload, bytes), Error);
+    r.check_reported({"buffer \"upload\" is in use by frame 7"});
+    r.device->collect(7);
+    r.device->write_buffer(r.upload, bytes);
+    r.device->read_timestamps(time);
+    r.device->destroy(r.upload, 0);
+    r.device->collect(12);  // the host's frames go on without us
+    CHECK(r.messages.empty());
+
+    for (const std::uint64_t late : {std::uint64_t{0}, std::uint64_t{12}}) {
+        (void)r.device->begin_list(host_list, late);
+        r.check_reported({"begin_list: frame " + std::to_string(late)});
+        r.device->end_list();
+    }
+    (void)r.device->begin_list(host_list, 20);
+    r.device->end_list();
+    (void)r.device->begin_list(host_list, 20);  // several lists to a frame
+    r.device->end_list();
+    CHECK(r.messages.empty());
+    (void)r.device->begin_list(host_list, 19);
+    r.check_reported({"begin_list: frame 19", "frame 20 has been recorded"});
+    r.device->end_list();
+}
+
+TEST_CASE("what a list of a host's leaves unfinished ends with its frame, and no earlier") {
+    Rig r;
+    r.queue.reset();
+    validation::NullCommandList host_list;
+    const auto record_update = [&](std::uint64_t frame, State before) {
+        r.list = &r.device->begin_list(host_list, frame);
+        if (before == State::undefined) r.move(r.frame, before, State::copy_destination);
+        r.list->update_constants(r.frame, std::as_bytes(std::span(r.push)));
+        r.device->end_list();
+    };
+    record_update(1, State::undefined);
+    record_update(2, State::copy_destination);
+    r.check_reported({"update_constants", "buffer \"frame\"", "written without a barrier"});
+    r.device->collect(1);
+    record_update(3, State::copy_destination);
+    r.check_reported({"update_constants", "buffer \"frame\"", "written without a barrier"});
+    r.device->collect(3);
+    record_update(4, State::copy_destination);
+    CHECK(r.messages.empty());
+}
+
+TEST_CASE("with a queue, no frame is complete that was not submitted") {
+    Rig r;
+    r.prepare();
+    r.submit();
+    r.device->collect(2);
+    r.check_reported({"collect: frame 2", "the last one submitted is frame 1"});
+    CHECK(r.inner.collected_frames.back() == 1);
 }

@@ -44,7 +44,7 @@ public:
     [[nodiscard]] Pipeline create_raster_pipeline(const RasterPipelineDesc&) override { return {++created}; }
     [[nodiscard]] BindingSet create_binding_set(const BindingSetDesc&) override { return {++created}; }
     void destroy(AnyHandle, std::uint64_t last_used_frame) override { destroyed_frames.push_back(last_used_frame); }
-    void collect(std::uint64_t) override { ++collected; }
+    void collect(std::uint64_t completed_frame) override { collected_frames.push_back(completed_frame); }
     void write_buffer(Buffer, std::span<const std::byte>) override { ++accesses; }
     void read_buffer(Buffer, std::span<std::byte>) override { ++accesses; }
     void read_timestamps(std::span<double>) override { ++accesses; }
@@ -56,8 +56,8 @@ public:
     [[nodiscard]] bool has_callback() const { return callback_ != nullptr; }
 
     std::uint64_t created = 0;
-    int collected = 0, accesses = 0;
-    std::vector<std::uint64_t> destroyed_frames;
+    int accesses = 0;
+    std::vector<std::uint64_t> destroyed_frames, collected_frames;
 
 private:
     Capabilities capabilities_;

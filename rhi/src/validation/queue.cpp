@@ -10,10 +10,13 @@ class WatchingQueue final : public Queue {
 public:
     WatchingQueue(WatchingDevice& device, Queue& inner) : device_(device), inner_(inner) {}
 
+    ~WatchingQueue() override { device_.count_submitted(std::nullopt); }
+    WatchingQueue(const WatchingQueue&) = delete;
+    WatchingQueue& operator=(const WatchingQueue&) = delete;
+
     CommandList& begin() override {
         if (device_.list_open()) device_.reporter().misuse_and_throw("begin: the list begun before has not been submitted");
-        device_.set_frames(submitted_ + 1, completed_);
-        return device_.begin_list(inner_.begin());
+        return device_.begin_list(inner_.begin(), submitted_ + 1);
     }
 
     std::uint64_t submit() override {
@@ -22,25 +25,27 @@ public:
         try {
             device_.end_list();
         } catch (...) {
-            (void)inner_.submit();
+            submit_inner();
             throw;
         }
-        const std::uint64_t frame = inner_.submit();
-        submitted_ = frame;
-        return frame;
+        submit_inner();
+        return submitted_;
     }
 
     void wait() override {
         inner_.wait();
-        completed_ = submitted_;
-        device_.set_frames(submitted_ + 1, completed_);
-        device_.finish_all();
+        device_.complete(submitted_);
     }
 
 private:
+    void submit_inner() {
+        submitted_ = inner_.submit();
+        device_.count_submitted(submitted_);
+    }
+
     WatchingDevice& device_;
     Queue& inner_;
-    std::uint64_t submitted_ = 0, completed_ = 0;
+    std::uint64_t submitted_ = 0;
 };
 
 }  // namespace

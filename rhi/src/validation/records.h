@@ -18,7 +18,6 @@ struct Contents {
     State state = State::undefined;
     bool defined = false;  ///< Something was written, and no barrier has thrown it away.
     std::string writer;    ///< What wrote since the last barrier; empty: nothing.
-    std::string reader;    ///< What read since the last barrier, in State::general only.
 };
 
 struct TextureRecord {

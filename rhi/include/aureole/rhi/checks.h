@@ -6,10 +6,15 @@
 
 #include <aureole/rhi/device.h>
 
+#include <optional>
+
 namespace aureole::rhi {
 
 /// `support` is the device's answer for the texture's format and dimension.
 void check(const TextureDesc& desc, const Capabilities& capabilities, const FormatSupport& support);
+/// A texture that a host lends: its descriptor, and the state it is lent in (see ExternalTexture::state). What stands for the
+/// host's object (`native`, `cpu_texels`) is the backend's to check.
+void check(const ExternalTexture& external, const Capabilities& capabilities, const FormatSupport& support);
 void check(const BufferDesc& desc);
 void check(const SamplerDesc& desc);
 void check(const ComputePipelineDesc& desc, const Capabilities& capabilities);
@@ -50,6 +55,9 @@ struct BindingSetFacts {
 [[nodiscard]] std::string complaint(const CopyDesc& desc, const ObjectLookup& objects);
 /// For update_constants.
 [[nodiscard]] std::string complaint(const BufferDesc* buffer, std::span<const std::byte> bytes);
+
+/// The usage that a texture needs to be in a state; Usage::none if it needs none; nothing if no texture is ever in that state.
+[[nodiscard]] std::optional<Usage> texture_usage_for(State state) noexcept;
 
 /// Bytes of all texels, tightly packed, all faces of a cube included.
 [[nodiscard]] std::uint64_t packed_size(const TextureDesc& desc) noexcept;

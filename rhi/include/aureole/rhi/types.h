@@ -35,7 +35,7 @@ enum class Format : std::uint8_t {
 enum class Usage : std::uint32_t {
     none = 0,
     sampled = 1u << 0,           ///< Read through a sampler, in compute and fragment shaders.
-    storage = 1u << 1,           ///< Written as a storage image or buffer in compute shaders.
+    storage = 1u << 1,           ///< Texture written as a storage image in compute shaders.
     color_attachment = 1u << 2,  ///< Target of draw_fullscreen.
     copy_source = 1u << 3,
     copy_destination = 1u << 4,
@@ -56,12 +56,12 @@ enum class State : std::uint8_t {
     undefined,         ///< Contents may be thrown away.
     sampled,           ///< Sampled-texture reads by compute and fragment shaders.
     depth_read,        ///< A depth texture sampled by shaders.
-    storage_write,     ///< Storage image/buffer writes by compute shaders.
+    storage_write,     ///< Storage-image writes by compute shaders.
     color_attachment,  ///< Target of draw_fullscreen.
     copy_source,
     copy_destination,
     constants,  ///< Uniform-block reads by compute and fragment shaders.
-    general,    ///< Any access (a host's texture in a state without a name here).
+    general,    ///< Of a lent texture whose state has no name here. No work is done in it: barriers lead out of it and back.
 };
 [[nodiscard]] const char* to_string(State state) noexcept;
 
@@ -104,7 +104,7 @@ struct BufferDesc {
 enum class Filter : std::uint8_t { nearest, linear };
 enum class Address : std::uint8_t { clamp, repeat };
 
-/// Texel centres are at (i + 1/2) / size; coordinates outside [0, 1] follow `address`. There are no mip levels.
+/// Texel centres are at (i + 1/2) / size; outside [0, 1] `address` holds (cubes: filters cross the faces' edges). No mips.
 struct SamplerDesc {
     Filter filter = Filter::linear;
     Address address_u = Address::clamp, address_v = Address::clamp, address_w = Address::clamp;
@@ -113,10 +113,12 @@ struct SamplerDesc {
 /// A host's own texture, lent to Aureole. The host keeps ownership.
 struct ExternalTexture {
     TextureDesc desc{};
-    std::uint64_t native = 0;        ///< The backend's own object: the Vulkan image; unused on the CPU.
-    std::uint64_t native_view = 0;   ///< Optional, the Vulkan image view; 0 lets the backend make one.
-    void* cpu_texels = nullptr;      ///< CPU backend: the host's texels, tightly packed in `desc.format`.
-    State state = State::undefined;  ///< State the texture is in when recording starts, and is left in when it ends.
+    std::uint64_t native = 0;       ///< The backend's own object: the Vulkan image; unused on the CPU.
+    std::uint64_t native_view = 0;  ///< Optional, the Vulkan image view; 0 lets the backend make one.
+    void* cpu_texels = nullptr;     ///< CPU backend: the host's texels, tightly packed in `desc.format`.
+    /// State the texture is in when recording starts, and is left in when it ends. A state with a usage of its own needs it in
+    /// `desc.usage`; `undefined` and `general` need none. `depth_read` is for depth formats, `constants` is no texture's.
+    State state = State::undefined;
 };
 
 }  // namespace aureole::rhi

@@ -5,13 +5,15 @@
 // slots with an object of the wrong kind, dimension or usage; push constants, updates and copies of a wrong size; draws to a
 // target of another format; barriers that name a wrong state; work on a resource in a wrong state, without a barrier after
 // the last write, or on contents that were never written; work recorded outside begin and submit; a host's texture not left
-// in the state it came in; markers that do not match; timestamps out of range or never written; buffers touched by the CPU
-// while in use; objects destroyed too early; and objects that are left when the validation device goes.
+// in the state it came in, or destroyed in another one while a list is open; markers that do not match; timestamps out of
+// range, or read before they were written; buffers touched by the CPU while in use; objects destroyed too early; frames said
+// to be complete that cannot be; and objects that are left when the validation device goes.
 //
 // A command that could harm the device is reported and not passed on; one that is only ordered wrongly is passed on.
 // States are followed in the order of recording. Textures start in State::undefined (a host's texture: as it says), and so
 // do buffers; a barrier from `undefined` throws a texture's contents away, a buffer keeps its bytes. Upload buffers may be
-// copied from, and read_back buffers read by the CPU, without more. Once Queue::wait has returned nothing is unfinished.
+// copied from, and read_back buffers read by the CPU, without more. A frame is unfinished until Device::collect says that it is
+// complete, or, with a queue, until Queue::wait has returned.
 #pragma once
 
 #include <aureole/rhi/device.h>
@@ -29,8 +31,9 @@ struct ValidationDesc {
 class ValidationDevice : public Device {
 public:
     /// For hosts with command lists of their own: the list to record into instead of `inner`, until `end_list`. One list at
-    /// a time. Throws Error(misuse) if one is open.
-    virtual CommandList& begin_list(CommandList& inner) = 0;
+    /// a time. `frame`, 1 or more, is the host's number of the frame that the list belongs to, as in `destroy` and `collect`:
+    /// not below the frame of the list before, and above every frame that is complete. Throws Error(misuse) if a list is open.
+    virtual CommandList& begin_list(CommandList& inner, std::uint64_t frame) = 0;
     /// Checks what must hold at the end of a list.
     virtual void end_list() = 0;
     /// Misuses reported so far.

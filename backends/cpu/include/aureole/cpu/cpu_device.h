@@ -34,7 +34,8 @@ struct PipelineWork {
 /// Error(internal) or Error(out_of_memory) when a kernel failed; textures of the host are then left as they were.
 ///
 /// Threading: one thread at a time. Lifetime: must outlive whoever uses device() and queue().
-/// Fresh textures of float formats are filled with NaN, so that reading what was never written shows.
+/// Fresh textures of float formats are filled with NaN, so that reading what was never written shows; so are those that a
+/// barrier moves out of State::undefined, which throws their contents away (a host's texture keeps its own).
 class CpuDevice {
 public:
     virtual ~CpuDevice() = default;

@@ -7,6 +7,7 @@
 //   undefined -> UNDEFINED, sampled -> SHADER_READ_ONLY_OPTIMAL, depth_read -> DEPTH_STENCIL_READ_ONLY_OPTIMAL,
 //   storage_write and general -> GENERAL, color_attachment -> COLOR_ATTACHMENT_OPTIMAL,
 //   copy_source -> TRANSFER_SRC_OPTIMAL, copy_destination -> TRANSFER_DST_OPTIMAL.
+// General is for lending alone: an engine that keeps its images in GENERAL lends them so, and Aureole moves them out and back.
 // Images have one mip level and the format that the texture descriptor names (d32_float: VK_FORMAT_D32_SFLOAT, without
 // stencil), cubes are cube-compatible with six layers, and were made with the usage that the descriptor states.
 #pragma once
@@ -43,8 +44,8 @@ struct VulkanDeviceList {
 
 /// Which device to make and how.
 struct VulkanDeviceDesc {
-    /// Position in list_vulkan_devices(); -1 prefers discrete to integrated to virtual to CPU devices. Else
-    /// Error(invalid_argument).
+    /// Position in list_vulkan_devices(); -1 prefers discrete to integrated to virtual to CPU devices, and tries the next one,
+    /// with a warning, if a device cannot be opened. Else Error(invalid_argument).
     int index = -1;
     /// Part of the device's name, upper or lower case; empty: any name. No match is an Error(unsupported).
     std::string name{};
@@ -96,7 +97,8 @@ public:
 };
 
 /// Throws Error: unsupported (no Vulkan, no matching or no usable device, no validation layer; the text says why),
-/// invalid_argument (index), out_of_memory.
+/// invalid_argument (index), out_of_memory. If several devices were tried, the text tells each one's reason, and the code is
+/// that of the first.
 [[nodiscard]] std::unique_ptr<VulkanDevice> create_vulkan_device(const VulkanDeviceDesc& desc);
 
 /// A host's device. Everything stays the host's and must outlive the guest.
@@ -133,7 +135,8 @@ public:
     /// which they were recorded. Error(invalid_argument) for a null command buffer.
     [[nodiscard]] virtual rhi::CommandList& begin_recording(VkCommandBuffer commands) = 0;
     /// Ends the recording: textures lent with rhi::Device::wrap_texture that are not in the state they were lent in are
-    /// returned to it, open debug markers are closed. The command buffer stays in the recording state. Never throws.
+    /// returned to it, those destroyed since begin_recording included; open debug markers are closed. The command buffer stays
+    /// in the recording state. Never throws.
     virtual void end_recording() noexcept = 0;
 
     /// The objects behind a handle of this device, for descriptor sets of the host's own. Error(invalid_argument) for a null,

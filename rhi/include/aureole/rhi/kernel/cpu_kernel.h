@@ -117,27 +117,61 @@ inline glm::vec<4, real> SAMPLE(const Sampler3D<real>& s, const glm::vec<3, real
     };
     return glm::mix(slice(z.a), slice(z.b), z.w);
 }
-/// Face order +x -x +y -y +z -z and the face coordinates of the graphics APIs. Filters within a face.
+/// Where a direction meets a cube: faces +x -x +y -y +z -z, with the face coordinates of the graphics APIs in [0, 1].
+template <class real>
+struct CubePlace {
+    int face;
+    real u, v;
+};
+template <class real>
+inline CubePlace<real> cube_place(const glm::vec<3, real>& d) {
+    const real ax = std::abs(d.x), ay = std::abs(d.y), az = std::abs(d.z);
+    // Kept within the face also where rounding, or a direction that is none, would leave it.
+    const auto to_unit = [](real c, real major) {
+        const real u = (c / major + real(1)) / real(2);
+        return u > real(0) ? (u < real(1) ? u : real(1)) : real(0);
+    };
+    if (ax >= ay && ax >= az) return {d.x >= 0 ? 0 : 1, to_unit(d.x >= 0 ? -d.z : d.z, ax), to_unit(-d.y, ax)};
+    if (ay >= az) return {d.y >= 0 ? 2 : 3, to_unit(d.x, ay), to_unit(d.y >= 0 ? d.z : -d.z, ay)};
+    return {d.z >= 0 ? 4 : 5, to_unit(d.z >= 0 ? d.x : -d.x, az), to_unit(-d.y, az)};
+}
+/// The other way: (s, t) in [-1, 1] on the face, and beyond it in the face's plane.
+inline glm::dvec3 cube_direction(int face, double s, double t) {
+    const glm::dvec3 directions[6] = {{1, -t, -s}, {-1, -t, s}, {s, 1, t}, {s, -1, -t}, {s, -t, 1}, {-s, -t, -1}};
+    return directions[face];
+}
+/// A texel that may lie one step outside of its face: then the one behind the edge. Behind a corner there is none: there stands
+/// the mean of the three texels that meet. In double, for the places are close to the borders of the largest textures' texels.
+template <class real>
+inline glm::vec<4, real> fetch_seamless(const SamplerCube<real>& s, int face, int x, int y) {
+    const int last = s.width - 1;
+    const bool out_x = x < 0 || x > last, out_y = y < 0 || y > last;
+    if (!out_x && !out_y) return s.fetch(x, y, face);
+    if (out_x && out_y) {
+        const int inner_x = x < 0 ? 0 : last, inner_y = y < 0 ? 0 : last;
+        return (s.fetch(inner_x, inner_y, face) + fetch_seamless(s, face, x, inner_y) + fetch_seamless(s, face, inner_x, y)) /
+               real(3);
+    }
+    const auto centre = [&](int i) { return (2.0 * i + 1) / s.width - 1; };
+    const CubePlace<double> place = cube_place(cube_direction(face, centre(x), centre(y)));
+    const auto texel = [&](double u) { return taps(u, s.width, false, Address::clamp).a; };
+    return s.fetch(texel(place.u), texel(place.v), place.face);
+}
+/// Filters across the edges of faces, as GPUs do.
 template <class real>
 inline glm::vec<4, real> SAMPLE(const SamplerCube<real>& s, const glm::vec<3, real>& d) {
     if (s.counts) ++s.counts->samples;
-    const real ax = std::abs(d.x), ay = std::abs(d.y), az = std::abs(d.z);
-    int face;
-    real sc, tc, ma;
-    if (ax >= ay && ax >= az) {
-        face = d.x >= 0 ? 0 : 1;
-        sc = d.x >= 0 ? -d.z : d.z, tc = -d.y, ma = ax;
-    } else if (ay >= az) {
-        face = d.y >= 0 ? 2 : 3;
-        sc = d.x, tc = d.y >= 0 ? d.z : -d.z, ma = ay;
-    } else {
-        face = d.z >= 0 ? 4 : 5;
-        sc = d.z >= 0 ? d.x : -d.x, tc = -d.y, ma = az;
-    }
-    const auto x = taps((sc / ma + real(1)) / real(2), s.width, s.linear, Address::clamp);
-    const auto y = taps((tc / ma + real(1)) / real(2), s.height, s.linear, Address::clamp);
-    return glm::mix(glm::mix(s.fetch(x.a, y.a, face), s.fetch(x.b, y.a, face), x.w),
-                    glm::mix(s.fetch(x.a, y.b, face), s.fetch(x.b, y.b, face), x.w), y.w);
+    const CubePlace<real> place = cube_place(d);
+    if (!s.linear)
+        return s.fetch(taps(place.u, s.width, false, Address::clamp).a, taps(place.v, s.height, false, Address::clamp).a,
+                       place.face);
+    const real x = place.u * real(s.width) - real(0.5), y = place.v * real(s.height) - real(0.5);
+    const real fx = std::floor(x), fy = std::floor(y);
+    const int i = static_cast<int>(fx), j = static_cast<int>(fy);
+    const auto row = [&](int k) {
+        return glm::mix(fetch_seamless(s, place.face, i, k), fetch_seamless(s, place.face, i + 1, k), x - fx);
+    };
+    return glm::mix(row(j), row(j + 1), y - fy);
 }
 
 /// Out-of-range fetches return 0, as robust GPU access does.

@@ -185,8 +185,8 @@ TEST_CASE("parse_scene: faults of the atmosphere point to their lines") {
 TEST_CASE("parse_scene: faults elsewhere") {
     CHECK(contains(rejected("colour = 1"), "t.toml:1: colour: this key is not allowed; allowed: "));
     CHECK(contains(rejected("size = [0, 100]"), "t.toml:1: size"));
-    CHECK(contains(rejected("size = [100]"), "allowed: [width, height]"));
-    CHECK(contains(rejected("size = [100.5, 100]"), "allowed: [width, height]"));
+    CHECK(contains(rejected("size = [100]"), "size: [100] is not allowed; allowed: [width, height]"));
+    CHECK(contains(rejected("size = [640.5, 360]"), "size: [640.5, 360] is not allowed; allowed: [width, height], whole"));
     CHECK(contains(rejected("exposure = 0"), "t.toml:1: exposure: 0"));
     CHECK(contains(rejected("exposure = \"automatic\""), "allowed: \"auto\""));
     CHECK(contains(rejected("exposure_stops = 100"), "t.toml:1: exposure_stops: 100"));

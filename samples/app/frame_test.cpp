@@ -145,6 +145,26 @@ TEST_CASE("probe: altitudes and suns in any order, below the ground as on it") {
     CHECK(probe(*backend, earth, low, {}).empty());
 }
 
+TEST_CASE("an absorber takes its colours out of the light: methane's air looks blue from above, and nothing gets brighter") {
+    const auto backend = open_backend({.name = "cpu"});
+    AtmosphereParameters air = read_scene(std::filesystem::path(AUREOLE_SCENES) / "methane.toml").atmosphere;
+    const std::vector<ProbeRow> rows{{30, 300, 180, 0}, {60, 300, 150, 90}, {30, 0, 40, 90}};  // clouds below, and sky
+    const std::vector<Rgb> with = probe(*backend, air, QualitySettings::low(), rows);
+    REQUIRE(air.terms.at(1).name == "methane");
+    air.terms.pop_back();
+    const std::vector<Rgb> without = probe(*backend, air, QualitySettings::low(), rows);
+    // Straight down: twice through the column, 27.7 km of the coefficient at the bottom, and the sun's way slanted.
+    const double red = 7.1e-6 * 27.7e3 * (1 + 1 / std::cos(30 * std::numbers::pi / 180));
+    CHECK(with[0].r / without[0].r == doctest::Approx(std::exp(-red)).epsilon(0.1));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Rgb kept = with[i] / without[i];
+        CAPTURE(i);
+        CHECK(kept.r < kept.g);
+        CHECK(kept.g < kept.b);
+        CHECK(kept.b <= 1);
+    }
+}
+
 TEST_CASE("probe: what is rejected") {
     const auto backend = open_backend({.name = "cpu"});
     const auto rejected = [&](const ProbeRow& row) {

@@ -2,7 +2,10 @@
 include(CMakePackageConfigHelpers)
 
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/aureole")
-install(EXPORT aureole-targets NAMESPACE aureole:: DESTINATION "${package_dir}")
+get_property(components GLOBAL PROPERTY AUREOLE_COMPONENTS)
+foreach(component IN LISTS components)
+    install(EXPORT aureole-${component}-targets NAMESPACE aureole:: DESTINATION "${package_dir}")
+endforeach()
 configure_package_config_file(
     "${CMAKE_CURRENT_LIST_DIR}/aureole-config.cmake.in" "${PROJECT_BINARY_DIR}/aureole-config.cmake"
     INSTALL_DESTINATION "${package_dir}")

@@ -27,7 +27,9 @@ function(aureole_add_library name)
         PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>"
         PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/src")
     if(AUREOLE_INSTALL)
-        install(TARGETS ${target} EXPORT aureole-targets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+        # An export of its own, so that a package's user needs what the components in use need, and no more.
+        install(TARGETS ${target} EXPORT aureole-${name}-targets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+        set_property(GLOBAL APPEND PROPERTY AUREOLE_COMPONENTS ${name})
         install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
     endif()
 endfunction()

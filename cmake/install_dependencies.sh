@@ -38,8 +38,8 @@ fi
 
 missing=()
 for package in "${packages[@]}"; do
-    status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2> /dev/null || true)
-    [ "$status" = installed ] || missing+=("$package")
+    # A line for each architecture that the package is known for; one of them is enough.
+    dpkg-query -W -f '${db:Status-Status}\n' "$package" 2> /dev/null | grep -x installed > /dev/null || missing+=("$package")
 done
 
 if [ ${#missing[@]} = 0 ]; then

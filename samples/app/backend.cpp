@@ -24,6 +24,7 @@ public:
     cpu::CpuDevice* cpu() override { return device_.get(); }
 
 private:
+    void destroy_device() override { device_.reset(); }
     std::unique_ptr<cpu::CpuDevice> device_;
 };
 
@@ -36,22 +37,65 @@ public:
         desc.validation = options.validation;
         device_ = vulkan::create_vulkan_device(desc);
         name_ = "vulkan";
+        keep_warnings_ = options.validation;
         listen();
     }
     rhi::Device& device() override { return device_->device(); }
     rhi::Queue& queue() override { return device_->queue(); }
 
 private:
+    void destroy_device() override { device_.reset(); }
     std::unique_ptr<vulkan::VulkanDevice> device_;
 };
 #endif
 
 std::unique_ptr<Backend> open_vulkan([[maybe_unused]] const BackendOptions& options) {
 #ifdef AUREOLE_HAS_VULKAN
-    return std::make_unique<VulkanBackend>(options);
+    try {
+        return std::make_unique<VulkanBackend>(options);
+    } catch (const Error& reason) {
+        if (reason.field() != "name") throw;  // of VulkanDeviceDesc; here it came from --device
+        throw Error(reason.code(), "--device", reason.value(), reason.allowed());
+    }
 #else
     throw Error(ErrorCode::unsupported, "this program was built without the Vulkan backend (AUREOLE_BUILD_VULKAN)");
 #endif
+}
+
+/// The first option given that the Vulkan backend alone has; empty if there is none.
+std::string vulkan_option(const BackendOptions& options) {
+    if (!options.device.empty()) return "--device " + options.device;
+    return options.validation ? "--validation" : "";
+}
+
+std::unique_ptr<Backend> open_cpu(cpu::Precision precision, const BackendOptions& options) {
+    if (const std::string given = vulkan_option(options); !given.empty())
+        throw Error(ErrorCode::invalid_argument, given, "--backend " + options.name, "--backend vulkan");
+    return std::make_unique<CpuBackend>(precision, options, "");
+}
+
+void refuse_threads(const BackendOptions& options, const std::string& chosen) {
+    if (options.threads != 0)
+        throw Error(ErrorCode::invalid_argument, "--threads " + std::to_string(options.threads), chosen,
+                    "--backend cpu or cpu-double");
+}
+
+/// Vulkan, or the CPU whatever keeps it from opening; but whoever asked for what Vulkan alone has does not want another
+/// backend.
+std::unique_ptr<Backend> open_any(const BackendOptions& options, const VulkanOpener& open_vulkan) {
+    std::unique_ptr<Backend> vulkan;
+    try {
+        vulkan = open_vulkan(options);
+    } catch (const std::exception& reason) {
+        const auto* error = dynamic_cast<const Error*>(&reason);
+        if (error != nullptr && error->field() == "--device") throw;
+        if (const std::string given = vulkan_option(options); !given.empty())
+            throw Error(ErrorCode::unsupported,
+                        given + " needs Vulkan, and --backend auto finds none here: " + std::string(reason.what()));
+        return std::make_unique<CpuBackend>(cpu::Precision::float32, options, reason.what());
+    }
+    refuse_threads(options, "--backend auto, which is vulkan here");
+    return vulkan;
 }
 
 }  // namespace
@@ -59,27 +103,30 @@ std::unique_ptr<Backend> open_vulkan([[maybe_unused]] const BackendOptions& opti
 std::unique_ptr<Backend> open_backend(const BackendOptions& options) { return open_backend(options, open_vulkan); }
 
 std::unique_ptr<Backend> open_backend(const BackendOptions& options, const VulkanOpener& open_vulkan) {
-    if (options.name == "vulkan") return open_vulkan(options);
-    if (options.name == "cpu") return std::make_unique<CpuBackend>(cpu::Precision::float32, options, "");
-    if (options.name == "cpu-double") return std::make_unique<CpuBackend>(cpu::Precision::float64, options, "");
-    if (options.name != "auto")
-        throw Error(ErrorCode::invalid_argument, "backend", "\"" + options.name + "\"", "auto, vulkan, cpu or cpu-double");
-    try {
-        return open_vulkan(options);
-    } catch (const std::exception& reason) {
-        // Whoever named a device or asked for the validation layer does not want another backend instead.
-        if (!options.device.empty() || options.validation) throw;
-        return std::make_unique<CpuBackend>(cpu::Precision::float32, options, reason.what());
-    }
+    if (options.name == "cpu") return open_cpu(cpu::Precision::float32, options);
+    if (options.name == "cpu-double") return open_cpu(cpu::Precision::float64, options);
+    if (options.name == "auto") return open_any(options, open_vulkan);
+    if (options.name != "vulkan")
+        throw Error(ErrorCode::invalid_argument, "backend",
+                    "\\"
+                    " + options.name + "\\"",
+                    "auto, vulkan, cpu or cpu-double");
+    refuse_threads(options, "--backend vulkan");
+    return open_vulkan(options);
 }
 
 void Backend::listen() { device().set_message_callback(on_message, this); }
 
 void Backend::on_message(void* user, rhi::Severity severity, const char* text) {
-    if (severity == rhi::Severity::error) static_cast<Backend*>(user)->errors_.emplace_back(text);
-    const auto level = severity == rhi::Severity::error     ? spdlog::level::err
-                       : severity == rhi::Severity::warning ? spdlog::level::warn
-                                                            : spdlog::level::debug;
+    static_cast<Backend*>(user)->report(severity, text);
+}
+
+void Backend::report(rhi::Severity severity, const char* text) {
+    const bool warning = severity == rhi::Severity::warning;
+    if (severity == rhi::Severity::error || (warning && keep_warnings_)) findings_.emplace_back(text);
+    const auto level = severity == rhi::Severity::error ? spdlog::level::err
+                       : warning                        ? spdlog::level::warn
+                                                        : spdlog::level::debug;
     spdlog::log(level, "{}", text);
 }
 
@@ -99,9 +146,14 @@ void Backend::run(const std::function<void(rhi::CommandList&)>& record) {
 }
 
 void Backend::check() const {
-    if (errors_.empty()) return;
-    throw Error(ErrorCode::internal,
-                "the device reported " + std::to_string(errors_.size()) + " errors, first: " + errors_.front());
+    if (findings_.empty()) return;
+    const std::string what = findings_.size() == 1 ? "a fault: " : std::to_string(findings_.size()) + " faults, first: ";
+    throw Error(ErrorCode::internal, "the device reported " + what + findings_.front());
+}
+
+void Backend::close() {
+    destroy_device();
+    check();
 }
 
 DeviceTextures::~DeviceTextures() {

@@ -15,9 +15,9 @@ namespace aureole::app {
 
 struct BackendOptions {
     std::string name = "auto";  ///< "auto", "vulkan", "cpu" or "cpu-double".
-    std::string device{};       ///< Part of a Vulkan device's name; empty: the best one.
-    bool validation = false;    ///< Vulkan: under the validation layer; its findings become errors of `Backend::check`.
-    unsigned threads = 0;       ///< CPU: 0 for all.
+    std::string device{};       ///< Vulkan alone: part of a device's name; empty: the best one.
+    bool validation = false;    ///< Vulkan alone: under the validation layer; its findings become errors of `Backend::check`.
+    unsigned threads = 0;       ///< CPU alone: 0 for all.
     bool count_work = false;    ///< CPU: count evaluations, look-ups and bytes (cpu::CpuDevice::work).
 };
 
@@ -37,22 +37,28 @@ public:
     void run(const std::function<void(rhi::CommandList&)>& record);
     /// Frame number of the latest run.
     [[nodiscard]] std::uint64_t frame() const noexcept { return frame_; }
-    /// Throws Error(internal) if the device has reported errors.
+    /// Throws Error(internal) if the device has reported errors (under the validation layer: or warnings).
     void check() const;
+    /// Destroys the device, which may have more to report while it goes, and checks. Nothing of it may be in use any more, and
+    /// nothing but the name may be asked for afterwards.
+    void close();
 
 protected:
-    void listen();  ///< To the device's messages: they go to the log, errors are kept.
+    void listen();  ///< To the device's messages: they go to the log, findings are kept.
+    void report(rhi::Severity severity, const char* text);
+    virtual void destroy_device() = 0;
     std::string name_, note_;
+    bool keep_warnings_ = false;
 
 private:
     static void on_message(void* user, rhi::Severity severity, const char* text);
     std::uint64_t frame_ = 0;
-    std::vector<std::string> errors_;
+    std::vector<std::string> findings_;
 };
 
 /// "auto" is Vulkan if that can be opened, else the CPU in float, with the reason in `describe`; but whoever named a device or
 /// asked for the validation layer gets the reason as the error.
-/// Throws Error: invalid_argument (name), unsupported (no such device; says why).
+/// Throws Error: invalid_argument (name; an option that this backend does not have), unsupported (no such device; says why).
 [[nodiscard]] std::unique_ptr<Backend> open_backend(const BackendOptions& options);
 /// The same with another way to open Vulkan.
 using VulkanOpener = std::function<std::unique_ptr<Backend>(const BackendOptions&)>;

@@ -91,11 +91,12 @@ void run_bench(const BenchCommand& command) {
 
     Progress progress(options.frames + options.warm_up, stderr, isatty(STDERR_FILENO) == 1);
     const std::vector<BenchResult> results = bench(*backend, options, [&] { progress.step(); });
+    const rhi::Capabilities c = backend->device().capabilities();
+    backend->close();
     for (const BenchResult& result : results) print_result(result);
     print_ratios(results);
     if (command.json.empty()) return;
 
-    const rhi::Capabilities& c = backend->device().capabilities();
     nlohmann::json out{{"backend", backend->name()}, {"device", c.device},       {"driver", c.driver},
                        {"threads", c.threads},       {"width", options.width},   {"height", options.height},
                        {"rounds", options.frames},   {"raster", options.raster}, {"linear", options.linear}};

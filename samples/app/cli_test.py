@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The application as a user sees it: results, one clear line and exit code 2 for every fault, nothing partial left behind.
 
-Usage: cli_test.py AUREOLE SCENES [BACKEND]; works in the current folder.
+Usage: cli_test.py AUREOLE SCENES [BACKEND]; works in the current folder. Exit code 77: there is no device to test on.
 """
 import json
 import pathlib
@@ -38,6 +38,12 @@ def fails(part, *arguments):
     expect(result.returncode == 2 and len(lines) == 1 and lines[0].startswith('aureole: ') and part in lines[0],
            f'fails with {part!r}: {arguments}', result)
     expect(sorted(FOLDER.iterdir()) == before, f'{arguments} left files behind')
+
+
+def vulkan_runs():
+    """A line "can run" in the part about Vulkan, which comes first."""
+    lines = [line.strip() for line in run('devices').stdout.splitlines()]
+    return 'can run' in lines[:next(i for i, line in enumerate(lines) if line.startswith('cpu '))]
 
 
 def put(name, text):
@@ -89,6 +95,32 @@ def check_render_faults():
     fails('size.toml:1: size', 'render', put('size.toml', 'size = [-1, 5]\n'), *out)
     fails('not TOML', 'render', put('broken.toml', '[camera\n'), *out)
     fails('', 'render', noon, '-o', FOLDER / 'x.png', '--backend', 'vulkan', '--device', 'no such device')
+    fails('[640.5, 360]', 'render', put('half.toml', 'size = [640.5, 360]\n'), *out)
+    fails('--size 16384x20 with --samples 2: a composite of 32768x40', 'render', noon, *out, '--size', '16384x20')
+    fails('--size: 16384x9 is not allowed; allowed: one side', 'render', noon, *out, '--size', '16384x9')
+    fails('--size 9x8192 with --samples 4: a composite of 36x32768', 'render', noon, *out, '--size', '9x8192', '--samples', '4')
+
+
+def check_options_of_another_backend():
+    noon, out = SCENES / 'noon.toml', ['-o', FOLDER / 'x.png']
+    for backend in ('cpu', 'cpu-double'):
+        fails(f'--device llvm: --backend {backend} is not allowed', 'render', noon, *out, '--backend', backend, '--device', 'llvm')
+        fails(f'--validation: --backend {backend} is not allowed', 'bench', '--backend', backend, '--validation')
+    fails('--threads 2: --backend vulkan is not allowed', 'render', noon, *out, '--backend', 'vulkan', '--threads', 2)
+    if BACKEND[1] == 'vulkan':
+        fails('--threads 2: --backend auto, which is vulkan here', 'render', noon, *out, '--threads', 2)
+        fails('--device: no such device is not allowed', 'render', noon, *out, '--device', 'no such device')
+
+
+def check_interrupted_sequence():
+    """A sequence that fails says what it has written; a size beyond the meter's is no trouble."""
+    noon, small = SCENES / 'noon.toml', ['--size', '32x18', '--quality', 'low', '--samples', 1, *BACKEND]
+    (FOLDER / 'q-0003.png').mkdir()
+    result = run('render', noon, '-o', FOLDER / 'q.png', '--sun-elevation', '5:20', '--frames', 5, *small)
+    said = f'2 of 5 pictures were written: {FOLDER}/q-0001.png .. {FOLDER}/q-0002.png'
+    expect(result.returncode == 2 and said in result.stderr, 'a sequence says what it has written', result)
+    expect(sorted(path.name for path in FOLDER.glob('q*')) == ['q-0001.png', 'q-0002.png', 'q-0003.png'], 'nothing partial')
+    works('render', noon, '-o', FOLDER / 'tall.png', '--size', '4x2000', '--quality', 'low', *BACKEND)
 
 
 def check_probe():
@@ -119,6 +151,7 @@ def check_score(result):
     expect([(s['sun_zenith_deg'], s['ray'], s['rows'], s['max']) for s in score] == [(30, 'sky', 1, 0), (85, 'ground', 1, 0)],
            f'score of a table against itself: {score}')
     fails('--bottom-radius-km', 'score', result, truth, '--by-ray')
+    fails('--bottom-radius-km requires --by-ray', 'score', result, truth, '--bottom-radius-km', 6360)
     fails('column r is missing', 'score', truth, truth)
 
 
@@ -143,11 +176,16 @@ def check_help():
     fails('', 'paint')
 
 
+if BACKEND[1] == 'vulkan' and not vulkan_runs():
+    print('skipped: no usable Vulkan device')
+    sys.exit(77)
 shutil.rmtree(FOLDER, ignore_errors=True)
 FOLDER.mkdir()
 check_help()
 check_render()
 check_render_faults()
+check_options_of_another_backend()
+check_interrupted_sequence()
 check_score(check_probe())
 check_bench_and_devices()
 print('\n'.join(failures) if failures else 'the command line keeps its word')

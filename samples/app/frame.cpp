@@ -6,10 +6,30 @@
 namespace aureole::app {
 namespace {
 
-constexpr std::uint32_t meter_width = 192;
+constexpr std::uint32_t meter_side = 192;
+constexpr std::uint32_t longest_aspect = 1000;  // a camera's (camera.h)
 constexpr double middle_grey = 0.4;
 /// Luminance below which automatic exposure does not go on brightening: nights stay dark.
 constexpr double darkest = 1e-9;
+
+/// Of the picture's shape, with `meter_side` pixels on its longer side.
+rhi::Extent meter_extent(std::uint32_t width, std::uint32_t height) {
+    const std::uint32_t longer = std::max(width, height);
+    const auto scaled = [&](std::uint32_t side) { return std::max(meter_side * side / longer, 1u); };
+    return {scaled(width), scaled(height), 1};
+}
+
+/// Said before anything is made, in the words of the command line.
+void check_size(const FrameOptions& options, std::uint32_t most) {
+    const std::string given = std::to_string(options.width) + "x" + std::to_string(options.height);
+    if (std::max(options.width, options.height) / std::min(options.width, options.height) >= longest_aspect)
+        throw Error(ErrorCode::invalid_argument, "--size", given, "one side less than 1000 times as long as the other");
+    const std::uint32_t width = options.width * options.samples, height = options.height * options.samples;
+    if (std::max(width, height) <= most) return;
+    throw Error(ErrorCode::unsupported, "--size " + given + " with --samples " + std::to_string(options.samples),
+                "a composite of " + std::to_string(width) + "x" + std::to_string(height),
+                "at most " + std::to_string(most) + " pixels a side on this device; fewer samples or a smaller size");
+}
 
 ViewSettings view_settings(const Scene& scene, bool land) {
     ViewSettings settings;
@@ -79,6 +99,7 @@ FrameRenderer::FrameRenderer(Backend& backend, const Scene& scene, const Land* l
       air_(backend.device(), scene.atmosphere, scene.quality) {
     if (options.raster && !backend.device().capabilities().raster)
         throw Error(ErrorCode::unsupported, "--raster: " + backend.describe() + " has no raster pipelines");
+    check_size(options, backend.device().capabilities().max_texture_2d);
     CompositeSettings composite;
     composite.scene_color = composite.scene_depth = land != nullptr;
     const ViewSettings settings = view_settings(scene, land != nullptr);
@@ -98,8 +119,7 @@ FrameRenderer::FrameRenderer(Backend& backend, const Scene& scene, const Land* l
         CompositeSettings metered = composite;
         metered.sun_disk = false;
         metered.target_format = rhi::Format::rgba32_float;
-        const std::uint32_t height = std::max(meter_width * options.height / options.width, 1u);
-        meter_ = std::make_unique<Target>(backend, air_, settings, metered, rhi::Extent{meter_width, height, 1});
+        meter_ = std::make_unique<Target>(backend, air_, settings, metered, meter_extent(options.width, options.height));
     }
 }
 

@@ -29,7 +29,8 @@ struct Frame {
 
 class FrameRenderer {
 public:
-    /// `backend` and `land` (null: none) must outlive the renderer.
+    /// `backend` and `land` (null: none) must outlive the renderer. Throws Error(unsupported) naming --size and --samples if
+    /// the device takes no picture of samples times the size.
     FrameRenderer(Backend& backend, const Scene& scene, const Land* land, const FrameOptions& options);
     ~FrameRenderer();
 

@@ -109,6 +109,26 @@ TEST_CASE("exposure, stops and automatic exposure") {
     CHECK(exposure("exposure_stops = -1") == doctest::Approx(automatic / 2));
 }
 
+TEST_CASE("sizes: long pictures are metered like others, and a composite that is too large is named by its options") {
+    const auto backend = open_backend({.name = "cpu"});
+    const auto exposure = [&](std::uint32_t width, std::uint32_t height, std::uint32_t samples) {
+        const Scene scene = parse("[[sun]]\nelevation_deg = 35\n[camera]\nvertical_fov_deg = 1\nelevation_deg = 40\n");
+        FrameOptions options = options_of(scene, false);
+        options.width = width;
+        options.height = height;
+        options.samples = samples;
+        return FrameRenderer(*backend, scene, nullptr, options).render(suns_of(scene)).exposure;
+    };
+    const double square = exposure(4, 4, 1);
+    CHECK(exposure(3, 2900, 1) == doctest::Approx(square).epsilon(0.01));  // the same degree of the same sky
+    CHECK(exposure(999, 1, 1) > 0);
+    CHECK(complaint([&] { (void)exposure(1000, 1, 1); }) ==
+          "--size: 1000x1 is not allowed; allowed: one side less than 1000 times as long as the other");
+    CHECK(complaint([&] { (void)exposure(16384, 20, 2); }) ==
+          "--size 16384x20 with --samples 2: a composite of 32768x40 is not allowed; allowed: at most 16384 pixels a side on "
+          "this device; fewer samples or a smaller size");
+}
+
 TEST_CASE("probe: altitudes and suns in any order, below the ground as on it") {
     const auto backend = open_backend({.name = "cpu"});
     const AtmosphereParameters earth = presets::earth();
@@ -123,6 +143,26 @@ TEST_CASE("probe: altitudes and suns in any order, below the ground as on it") {
     CHECK(radiance[3].b == radiance[0].b);
     CHECK(radiance[4] == Rgb(0));  // from space into space
     CHECK(probe(*backend, earth, low, {}).empty());
+}
+
+TEST_CASE("an absorber takes its colours out of the light: methane's air looks blue from above, and nothing gets brighter") {
+    const auto backend = open_backend({.name = "cpu"});
+    AtmosphereParameters air = read_scene(std::filesystem::path(AUREOLE_SCENES) / "methane.toml").atmosphere;
+    const std::vector<ProbeRow> rows{{30, 300, 180, 0}, {60, 300, 150, 90}, {30, 0, 40, 90}};  // clouds below, and sky
+    const std::vector<Rgb> with = probe(*backend, air, QualitySettings::low(), rows);
+    REQUIRE(air.terms.at(1).name == "methane");
+    air.terms.pop_back();
+    const std::vector<Rgb> without = probe(*backend, air, QualitySettings::low(), rows);
+    // Straight down: twice through the column, 27.7 km of the coefficient at the bottom, and the sun's way slanted.
+    const double red = 7.1e-6 * 27.7e3 * (1 + 1 / std::cos(30 * std::numbers::pi / 180));
+    CHECK(with[0].r / without[0].r == doctest::Approx(std::exp(-red)).epsilon(0.1));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Rgb kept = with[i] / without[i];
+        CAPTURE(i);
+        CHECK(kept.r < kept.g);
+        CHECK(kept.g < kept.b);
+        CHECK(kept.b <= 1);
+    }
 }
 
 TEST_CASE("probe: what is rejected") {

@@ -42,6 +42,55 @@ TEST_CASE("open_backend: auto is the CPU whatever keeps Vulkan from opening, and
     }
 }
 
+TEST_CASE("open_backend: options that the backend does not have are refused, both named") {
+    const auto refused = [](const BackendOptions& options) { return complaint([&] { (void)open_backend(options); }); };
+    CHECK(refused({.name = "cpu", .device = "foo"}) == "--device foo: --backend cpu is not allowed; allowed: --backend vulkan");
+    CHECK(refused({.name = "cpu-double", .validation = true}) ==
+          "--validation: --backend cpu-double is not allowed; allowed: --backend vulkan");
+    CHECK(refused({.name = "vulkan", .threads = 3}) ==
+          "--threads 3: --backend vulkan is not allowed; allowed: --backend cpu or cpu-double");
+    // Where there is no Vulkan the message says so, elsewhere that no device has that name.
+    const std::string unknown = refused({.name = "auto", .device = "no such device"});
+    CHECK(unknown.starts_with("--device"));
+    CHECK(contains(unknown, "no such device"));
+}
+
+namespace {
+
+/// A device that has something to report while it goes.
+class Leaving final : public Backend {
+public:
+    Leaving(aureole::rhi::Severity severity, bool strict) : inner_(open_backend({.name = "cpu"})), severity_(severity) {
+        keep_warnings_ = strict;
+    }
+    aureole::rhi::Device& device() override { return inner_->device(); }
+    aureole::rhi::Queue& queue() override { return inner_->queue(); }
+
+private:
+    void destroy_device() override {
+        inner_.reset();
+        report(severity_, "a texture was left");
+    }
+    std::unique_ptr<Backend> inner_;
+    aureole::rhi::Severity severity_;
+};
+
+std::string said_by(aureole::rhi::Severity severity, bool strict) {
+    Leaving backend(severity, strict);
+    CHECK_NOTHROW(backend.check());
+    return complaint([&] { backend.close(); });
+}
+
+}  // namespace
+
+TEST_CASE("Backend: what the device finds while it goes is a failure; warnings are under the validation layer") {
+    const std::string fault = "the device reported a fault: a texture was left";
+    CHECK(said_by(aureole::rhi::Severity::error, false) == fault);
+    CHECK(said_by(aureole::rhi::Severity::warning, true) == fault);
+    CHECK(said_by(aureole::rhi::Severity::warning, false) == "nothing");
+    CHECK(said_by(aureole::rhi::Severity::info, true) == "nothing");
+}
+
 TEST_CASE("DeviceTextures: the device's limit is named") {
     const auto backend = open_backend({.name = "cpu"});
     DeviceTextures textures(*backend);

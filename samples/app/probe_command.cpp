@@ -46,6 +46,7 @@ void run_probe(const ProbeOptions& options) {
     const std::unique_ptr<Backend> backend = open_backend(options.backend);
     const std::vector<Rgb> radiance = probe(*backend, scene.atmosphere, quality, rows);
     const std::string what = options.scene.filename().string() + ", " + backend->describe() + ", quality " + quality.name;
+    backend->close();
     write_text(options.output,
                print_rows("radiance per unit of solar irradiance in 1/sr, without the sun's disk; " + what, rows, radiance));
     std::printf("%s  %zu directions\n  %s\n", options.output.c_str(), rows.size(), what.c_str());

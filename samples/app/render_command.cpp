@@ -8,6 +8,7 @@
 #include <unistd.h>
 #include <cstdio>
 #include <memory>
+#include <new>
 
 namespace aureole::app {
 namespace {
@@ -61,6 +62,14 @@ void report(const std::filesystem::path& path, const FrameOptions& options, cons
     std::printf("\n  passes: %s\n", print_times(frame.times).c_str());
 }
 
+/// What the pictures of a sequence that are there already are called, for whoever reads that the next one failed.
+std::string written_so_far(const RenderOptions& options, std::uint32_t count) {
+    if (count == 0) return "no picture was written";
+    const std::string first = numbered(options.output, 1).string(), last = numbered(options.output, count).string();
+    const std::string names = count == 1 ? first : first + " .. " + last;
+    return std::to_string(count) + " of " + std::to_string(options.frames) + " pictures were written: " + names;
+}
+
 void render_sequence(const RenderOptions& options, Scene& scene, FrameRenderer& renderer) {
     const SunPath path = parse_sun_path(options.sun_elevation, options.frames);
     if (scene.suns.empty())
@@ -69,9 +78,15 @@ void render_sequence(const RenderOptions& options, Scene& scene, FrameRenderer& 
     std::vector<PassTime> times;
     for (std::uint32_t i = 0; i < options.frames; ++i) {
         scene.suns.front().pose.elevation_deg = path.elevation_deg(i);
-        const Frame frame = renderer.render(suns_of(scene), i);
-        write_frame(numbered(options.output, i + 1), frame);
-        times = frame.times;
+        try {
+            const Frame frame = renderer.render(suns_of(scene), i);
+            write_frame(numbered(options.output, i + 1), frame);
+            times = frame.times;
+        } catch (const Error& problem) {
+            throw Error(problem.code(), problem.what() + ("; " + written_so_far(options, i)));
+        } catch (const std::bad_alloc&) {
+            throw Error(ErrorCode::out_of_memory, "out of memory; " + written_so_far(options, i));
+        }
         progress.step();
     }
     std::printf("%s .. %s  %u pictures of %ux%u\n  passes of the last: %s\n", numbered(options.output, 1).c_str(),
@@ -97,12 +112,16 @@ void render(const RenderOptions& options) {
     const std::unique_ptr<Backend> backend = open_backend(options.backend);
     std::printf("%s: %s, quality %s\n", options.scene.c_str(), backend->describe().c_str(), scene.quality.name.c_str());
     std::fflush(stdout);
-    FrameRenderer renderer(*backend, scene, land.get(), frame_options);
+    auto renderer = std::make_unique<FrameRenderer>(*backend, scene, land.get(), frame_options);
     if (sequence) {
-        render_sequence(options, scene, renderer);
+        render_sequence(options, scene, *renderer);
+        renderer.reset();
+        backend->close();
         return;
     }
-    const Frame frame = renderer.render(suns_of(scene));
+    const Frame frame = renderer->render(suns_of(scene));
+    renderer.reset();
+    backend->close();
     write_frame(options.output, frame);
     report(options.output, frame_options, frame);
 }

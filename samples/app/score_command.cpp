@@ -61,11 +61,13 @@ void add_score_command(CLI::App& program) {
     command->add_option("RESULT.csv", options->result, "What `aureole probe` wrote")->required();
     command->add_option("TRUTH.csv", options->truth, "Columns L_r_per_sr .. and stderr_r_per_sr .., in 1/sr")->required();
     command->add_flag("--by-altitude", options->options.by_altitude, "Split by altitude (km)");
-    command->add_flag("--by-ray", options->options.by_ray, "Split into rays that end in the sky and rays that meet the ground");
+    CLI::Option* by_ray = command->add_flag("--by-ray", options->options.by_ray,
+                                            "Split into rays that end in the sky and rays that meet the ground");
     command
         ->add_option("--bottom-radius-km", options->options.bottom_radius_km,
                      "Radius of the ground for --by-ray, in km (default: as the truth's comment line says)")
-        ->check(CLI::Range(1.0, 1e9));
+        ->check(CLI::Range(1.0, 1e9))
+        ->needs(by_ray);
     command->add_option("--json", options->json, "Also write the lines as JSON (errors as fractions, not %)");
     command->callback([options] { run_score(*options); });
 }

@@ -8,12 +8,15 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
-#include <exception>
+#include <OpenEXR/ImfStdIO.h>
+#include <OpenEXR/ImfTestFile.h>
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <stdexcept>
 
 namespace aureole::app {
 namespace {
-
-constexpr std::uint64_t most_pixels = 1ull << 28;
 
 std::string height_channel(const Imf::ChannelList& channels, const std::string& file) {
     std::string only, all;
@@ -29,18 +32,32 @@ std::string height_channel(const Imf::ChannelList& channels, const std::string& 
                 "Y, R, or a single channel");
 }
 
+/// The header alone: opening the file makes room for as many lines as the header promises.
+Imath::Box2i data_window(const std::filesystem::path& path) {
+    if (!Imf::isOpenExrFile(path.c_str())) throw std::runtime_error("it does not start as one");
+    Imf::StdIFStream stream(path.c_str());
+    char start[8];  // magic number, version and flags
+    stream.read(start, sizeof start);
+    int version = 0;
+    static_assert(std::endian::native == std::endian::little);  // as the file
+    std::memcpy(&version, start + 4, sizeof version);
+    Imf::Header header;
+    header.readFrom(stream, version);
+    return header.dataWindow();
+}
+
 }  // namespace
 
 GreyImage read_exr_grey(const std::filesystem::path& path) {
     (void)read_file(path);  // says in our words what is wrong with the name
     try {
-        Imf::InputFile file(path.c_str());
-        const Imath::Box2i window = file.header().dataWindow();
+        const Imath::Box2i window = data_window(path);
         const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
         const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-        if (width < 1 || height < 1 || static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > most_pixels)
-            throw Error(ErrorCode::invalid_argument, path.string() + ": size of the EXR",
-                        std::to_string(width) + "x" + std::to_string(height), "at most 268435456 pixels");
+        check_grey_size(path, static_cast<std::uint64_t>(std::max<std::int64_t>(width, 0)),
+                        static_cast<std::uint64_t>(std::max<std::int64_t>(height, 0)));
+        Imf::InputFile file(path.c_str());
+        if (!file.isComplete()) throw std::runtime_error("the file ends too early");
         const std::string channel = height_channel(file.header().channels(), path.string());
         if (const Imf::Channel& c = file.header().channels()[channel.c_str()]; c.xSampling != 1 || c.ySampling != 1)
             throw Error(ErrorCode::invalid_argument, path.string() + ": sampling of channel " + channel, "subsampled",

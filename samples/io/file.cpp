@@ -2,6 +2,10 @@
 
 #include <aureole/rhi/error.h>
 
+#include <unistd.h>
+#include <array>
+#include <atomic>
+#include <csignal>
 #include <fstream>
 #include <random>
 #include <system_error>
@@ -27,6 +31,47 @@ Container read_whole(const std::filesystem::path& path, std::uint64_t most_bytes
     return bytes;
 }
 
+/// Names of files on their way, for the handler of signals, which may neither lock nor allocate. Whoever takes a name out of
+/// its slot owns it.
+std::array<std::atomic<const char*>, 16> unfinished{};
+static_assert(std::atomic<const char*>::is_always_lock_free);
+
+/// The default action comes back with SA_RESETHAND: the program ends as it would have.
+extern "C" void remove_unfinished(int signal) {
+    for (std::atomic<const char*>& slot : unfinished)
+        if (const char* name = slot.exchange(nullptr)) ::unlink(name);
+    ::raise(signal);
+}
+
+/// Called for every file, for it costs nothing beside one: a handler that the program has set since then is left alone.
+void listen_for_signals() {
+    for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
+        struct sigaction action {};
+        if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
+        action.sa_handler = remove_unfinished;
+        action.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER);
+        ::sigaction(signal, &action, nullptr);
+    }
+}
+
+void remember(const char* name) {
+    listen_for_signals();
+    for (std::atomic<const char*>& slot : unfinished) {
+        const char* empty = nullptr;
+        if (slot.compare_exchange_strong(empty, name)) return;
+    }
+    throw Error(ErrorCode::misuse, "too many files are being written at once");
+}
+
+/// A name that a handler in another thread has taken stays valid: this thread waits for the program's end.
+void forget(const char* name) {
+    for (std::atomic<const char*>& slot : unfinished) {
+        const char* expected = name;
+        if (slot.compare_exchange_strong(expected, nullptr)) return;
+    }
+    while (true) ::pause();
+}
+
 /// A name that no other process is writing to.
 std::filesystem::path beside(const std::filesystem::path& path) {
     std::random_device random;
@@ -50,13 +95,17 @@ NewFile::NewFile(std::filesystem::path path) : path_(std::move(path)), temporary
     const std::filesystem::path folder = path_.has_parent_path() ? path_.parent_path() : ".";
     if (!std::filesystem::is_directory(folder, problem))
         throw Error(ErrorCode::io, path_.string() + ": cannot be written: there is no folder " + folder.string());
+    remember(temporary_.c_str());
     // Made now, so that hours of work do not end at a folder that takes no files.
-    if (!std::ofstream(temporary_, std::ios::binary)) throw Error(ErrorCode::io, path_.string() + ": cannot be written");
+    if (std::ofstream(temporary_, std::ios::binary)) return;
+    forget(temporary_.c_str());
+    throw Error(ErrorCode::io, path_.string() + ": cannot be written");
 }
 
 NewFile::~NewFile() {
     std::error_code ignored;
     if (!committed_) std::filesystem::remove(temporary_, ignored);
+    forget(temporary_.c_str());
 }
 
 void NewFile::commit() {

@@ -15,7 +15,8 @@ namespace aureole::app {
 [[nodiscard]] std::string read_text(const std::filesystem::path& path, std::uint64_t most_bytes = 1ull << 31);
 
 /// A file on its way: written under `temporary()` in the same folder, it gets its name in `commit()`. Without that, whatever
-/// has been written is removed again.
+/// has been written is removed again, also when SIGHUP, SIGINT or SIGTERM ends the program (unless the program has a handler of
+/// its own for it, which then has the say).
 class NewFile {
 public:
     /// Throws Error(io) if the folder does not exist or takes no files.

@@ -3,6 +3,9 @@
 #include "io/test_files.h"
 
 #include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <csignal>
 
 using namespace aureole::app;
 
@@ -32,6 +35,38 @@ TEST_CASE("NewFile: complete or not at all") {
     write_text("new_files/other", "");
     CHECK(get("new_files/other").empty());
     CHECK(files_in("new_files") == 2);
+}
+
+TEST_CASE("NewFile: a signal that ends the program leaves nothing behind") {
+    for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
+        CAPTURE(signal);
+        std::filesystem::remove_all("interrupted");
+        std::filesystem::create_directory("interrupted");
+        put("interrupted/old", "old");
+        int ready[2];
+        REQUIRE(pipe(ready) == 0);
+        const pid_t child = fork();
+        REQUIRE(child >= 0);
+        if (child == 0) {
+            std::signal(signal, SIG_DFL);  // doctest listens, too, and whoever runs the tests may ignore it
+            const NewFile replaced("interrupted/old"), fresh("interrupted/new");
+            put(replaced.temporary().string(), "half of the ne");
+            if (write(ready[1], "x", 1) != 1) _exit(1);
+            while (true) pause();
+        }
+        char byte = 0;
+        REQUIRE(read(ready[0], &byte, 1) == 1);
+        CHECK(files_in("interrupted") == 3);
+        REQUIRE(kill(child, signal) == 0);
+        int status = 0;
+        REQUIRE(waitpid(child, &status, 0) == child);
+        CHECK(WIFSIGNALED(status));
+        CHECK(WTERMSIG(status) == signal);
+        CHECK(files_in("interrupted") == 1);
+        CHECK(get("interrupted/old") == "old");
+        close(ready[0]);
+        close(ready[1]);
+    }
 }
 
 TEST_CASE("NewFile: places that take no file") {

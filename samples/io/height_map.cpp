@@ -16,7 +16,6 @@ namespace {
 constexpr const char* jacksboro = "/usr/share/matplotlib/mpl-data/sample_data/jacksboro_fault_dem.npz";
 constexpr double earth_radius_m = 6371008.8;  // mean radius, IUGG
 constexpr double highest_m = 1e5;
-constexpr std::size_t longest_side = 32768;
 
 /// Numbers in the file's own units, before `HeightMapOptions` apply.
 struct RawGrid {
@@ -59,6 +58,7 @@ RawGrid read_npz_grid(const std::filesystem::path& path) {
     if (array.shape.size() != 2)
         throw Error(ErrorCode::invalid_argument, path.string() + ": shape of array " + name,
                     std::to_string(array.shape.size()) + " dimensions", "2 (rows, columns)");
+    check_grey_size(path, array.shape[1], array.shape[0]);
     RawGrid grid{array.shape[1], array.shape[0], {array.values.begin(), array.values.end()}};
     read_spacing(file, path.string(), grid);
     return grid;
@@ -95,10 +95,6 @@ HeightMap read_height_map(const std::filesystem::path& path, const HeightMapOpti
         throw Error(ErrorCode::io, "heightmap jacksboro: " + file.string() + " is not there; install python-matplotlib-data");
 
     RawGrid raw = read_raw(file);
-    const std::string size = std::to_string(raw.width) + "x" + std::to_string(raw.height);
-    if (std::min(raw.width, raw.height) < 2 || std::max(raw.width, raw.height) > longest_side)
-        throw Error(ErrorCode::invalid_argument, file.string() + ": size", size, "2 to 32768 points a side");
-
     HeightMap map{static_cast<std::uint32_t>(raw.width), static_cast<std::uint32_t>(raw.height), std::move(raw.values),
                   options.spacing_m.value_or(raw.spacing_east_m), options.spacing_m.value_or(raw.spacing_north_m)};
     if (map.spacing_east_m <= 0)

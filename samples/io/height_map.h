@@ -31,7 +31,7 @@ struct HeightMapOptions {
 ///   .exr  channel Y or R or the only one
 /// The name "jacksboro" is that sample grid, where Debian's python-matplotlib-data puts it.
 /// Throws Error: io (unreadable, truncated), invalid_argument (wrong shape, a height that is no finite number or beyond
-/// 100 km, fewer than 2 or more than 32768 points a side, an option out of range or missing).
+/// 100 km, fewer than 2 or more than 32768 points a side or more than 2^28 in all, an option out of range or missing).
 [[nodiscard]] HeightMap read_height_map(const std::filesystem::path& path, const HeightMapOptions& options);
 
 }  // namespace aureole::app

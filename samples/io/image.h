@@ -29,7 +29,10 @@ struct GreyImage {
     std::uint32_t width = 0, height = 0;
     std::vector<float> values;
 };
-/// Both throw Error: io (unreadable, truncated, not such a file), invalid_argument (colours, no such channel).
+/// Throws Error(invalid_argument) naming file and size unless it is one of a height map: 2 to 32768 points a side and at most
+/// 2^28 in all. Readers ask before they make room for what a header promises.
+void check_grey_size(const std::filesystem::path& path, std::uint64_t width, std::uint64_t height);
+/// Both throw Error: io (unreadable, truncated, not such a file), invalid_argument (colours, no such channel, size).
 [[nodiscard]] GreyImage read_png_grey(const std::filesystem::path& path);
 [[nodiscard]] GreyImage read_exr_grey(const std::filesystem::path& path);
 

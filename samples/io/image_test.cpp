@@ -10,6 +10,8 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <doctest/doctest.h>
 #include <png.h>
+#include <zlib.h>
+#include <cstring>
 
 using namespace aureole::app;
 
@@ -90,6 +92,23 @@ TEST_CASE("read_png_grey: what it rejects") {
     }
 }
 
+TEST_CASE("read_png_grey: a header is not believed") {
+    put_grey<std::uint16_t>("whole.png", {0, 1, 2, 3, 256, 65535}, PNG_FORMAT_LINEAR_Y);
+    const auto with_size = [](png_uint_32 width, png_uint_32 height) {
+        std::string bytes = get("whole.png");  // signature, length, IHDR, width, height, 5 bytes, check sum
+        png_save_uint_32(reinterpret_cast<png_bytep>(bytes.data() + 16), width);
+        png_save_uint_32(reinterpret_cast<png_bytep>(bytes.data() + 20), height);
+        const uLong sum = crc32(0, reinterpret_cast<const Bytef*>(bytes.data() + 12), 17);
+        png_save_uint_32(reinterpret_cast<png_bytep>(bytes.data() + 29), static_cast<png_uint_32>(sum));
+        return complaint([&] { (void)read_png_grey(put("header.png", bytes)); });
+    };
+    CHECK(with_size(60000, 60000) ==
+          "header.png: size: 60000x60000 is not allowed; allowed: 2 to 32768 points a side, at most 268435456 in all");
+    CHECK(contains(with_size(32768, 32768), "size: 32768x32768 is not allowed"));
+    CHECK(contains(with_size(3, 1), "size: 3x1 is not allowed"));
+    CHECK(contains(with_size(16384, 16384), "not a readable PNG: the file ends too early"));  // before half a gigabyte is taken
+}
+
 TEST_CASE("read_exr_grey") {
     const std::vector<float> values{0, 1, 2, 3, -4, 1e6f};
     put_exr("y.exr", {"Y"}, values);
@@ -103,6 +122,12 @@ TEST_CASE("read_exr_grey") {
     CHECK(contains(complaint([] { (void)read_exr_grey("missing.exr"); }), "there is no such file"));
     CHECK(contains(complaint([] { (void)read_exr_grey(put("text.exr", "hello")); }), "not a readable EXR"));
     const std::string whole = get("y.exr");
+    std::string wide = whole;  // dataWindow: box2i, 16 bytes, xMin yMin xMax yMax
+    const std::size_t window = wide.find("dataWindow") + sizeof("dataWindow") + sizeof("box2i") + 4;
+    const std::int32_t far = 59999;
+    for (const std::size_t corner : {8u, 12u}) std::memcpy(wide.data() + window + corner, &far, sizeof far);
+    CHECK(complaint([&] { (void)read_exr_grey(put("wide.exr", wide)); }) ==
+          "wide.exr: size: 60000x60000 is not allowed; allowed: 2 to 32768 points a side, at most 268435456 in all");
     for (const std::size_t length : {whole.size() / 4, whole.size() / 2, whole.size() - 1}) {
         CAPTURE(length);
         CHECK(contains(complaint([&] { (void)read_exr_grey(put("cut.exr", whole.substr(0, length))); }), "not a readable EXR"));

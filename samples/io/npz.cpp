@@ -13,6 +13,7 @@ namespace aureole::app {
 namespace {
 
 constexpr std::uint64_t most_bytes = 1ull << 31;
+constexpr std::size_t chunk_bytes = std::size_t{1} << 22;
 
 struct CloseArchive {
     void operator()(zip_t* archive) const { zip_discard(archive); }
@@ -42,13 +43,15 @@ std::vector<std::byte> read_entry(zip_t* archive, zip_uint64_t index, const std:
     if (entry.size > most_bytes) throw fail("it is larger than 2 GiB");
     const Entry file(zip_fopen_index(archive, index, 0));
     if (!file) throw fail(zip_strerror(archive));
-    std::vector<std::byte> bytes(static_cast<std::size_t>(entry.size));
-    std::size_t have = 0;
-    while (have < bytes.size()) {
+    // Room is made for what has come, not for what the archive promises.
+    std::vector<std::byte> bytes;
+    while (bytes.size() < entry.size) {
+        const std::size_t have = bytes.size();
+        bytes.resize(std::min(static_cast<std::size_t>(entry.size), have + chunk_bytes));
         const zip_int64_t got = zip_fread(file.get(), bytes.data() + have, bytes.size() - have);
         if (got < 0) throw fail(zip_file_strerror(file.get()));
         if (got == 0) throw fail("it ends too early");
-        have += static_cast<std::size_t>(got);
+        bytes.resize(have + static_cast<std::size_t>(got));
     }
     std::byte beyond;  // libzip checks the check sum only when it meets the end
     if (zip_fread(file.get(), &beyond, 1) != 0) throw fail(zip_file_strerror(file.get()));

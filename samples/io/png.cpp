@@ -11,6 +11,10 @@
 namespace aureole::app {
 namespace {
 
+/// Bytes that one byte of a deflated stream can hold: a header that promises more is not worth the memory. (A packed row of
+/// 1-bit pixels holds eight in a byte.)
+constexpr std::size_t most_deflated = 1032 * 8;
+
 /// What libpng's callbacks see. libpng leaves by longjmp, so nothing with a destructor lives in the functions that it leaves.
 struct Source {
     const std::vector<std::byte>* bytes = nullptr;
@@ -83,9 +87,15 @@ GreyImage read_png_grey(const std::filesystem::path& path) {
     if (header.color != PNG_COLOR_TYPE_GRAY)
         throw Error(ErrorCode::invalid_argument, path.string() + ": colours of the PNG", "a palette, colour or transparency",
                     "greyscale with 8 or 16 bits");
+    check_grey_size(path, header.width, header.height);
 
     const std::size_t channel_bytes = header.bits == 16 ? 2 : 1;
-    std::vector<png_byte> pixels(std::size_t{header.width} * header.height * channel_bytes);
+    const std::size_t pixel_bytes = std::size_t{header.width} * header.height * channel_bytes;
+    if (pixel_bytes / most_deflated > bytes.size()) {
+        source.problem = "the file ends too early";
+        throw fail();
+    }
+    std::vector<png_byte> pixels(pixel_bytes);
     std::vector<png_bytep> rows(header.height);
     for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = pixels.data() + y * header.width * channel_bytes;
     if (!read_rows(reader.png, reader.info, header, rows)) throw fail();

@@ -75,7 +75,7 @@ void read_size(Section& root, Scene& scene) {
     const auto size = root.numbers("size", {1, 16384});
     if (!size) return;
     if (size->size() != 2 || (*size)[0] != std::floor((*size)[0]) || (*size)[1] != std::floor((*size)[1]))
-        root.reject("size", std::to_string(size->size()) + " numbers", "[width, height], whole numbers in [1, 16384]");
+        root.reject("size", root.printed("size"), "[width, height], whole numbers in [1, 16384]");
     scene.width = static_cast<std::uint32_t>((*size)[0]);
     scene.height = static_cast<std::uint32_t>((*size)[1]);
 }

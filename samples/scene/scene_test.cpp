@@ -185,8 +185,8 @@ TEST_CASE("parse_scene: faults of the atmosphere point to their lines") {
 TEST_CASE("parse_scene: faults elsewhere") {
     CHECK(contains(rejected("colour = 1"), "t.toml:1: colour: this key is not allowed; allowed: "));
     CHECK(contains(rejected("size = [0, 100]"), "t.toml:1: size"));
-    CHECK(contains(rejected("size = [100]"), "allowed: [width, height]"));
-    CHECK(contains(rejected("size = [100.5, 100]"), "allowed: [width, height]"));
+    CHECK(contains(rejected("size = [100]"), "size: [100] is not allowed; allowed: [width, height]"));
+    CHECK(contains(rejected("size = [640.5, 360]"), "size: [640.5, 360] is not allowed; allowed: [width, height], whole"));
     CHECK(contains(rejected("exposure = 0"), "t.toml:1: exposure: 0"));
     CHECK(contains(rejected("exposure = \"automatic\""), "allowed: \"auto\""));
     CHECK(contains(rejected("exposure_stops = 100"), "t.toml:1: exposure_stops: 100"));
@@ -219,11 +219,15 @@ TEST_CASE("read_scene: the height map is named from the scene's folder") {
 TEST_CASE("the scenes that come with the application") {
     const std::filesystem::path folder = AUREOLE_SCENES;
     for (const char* name :
-         {"noon", "golden_hour", "twilight", "altitude_10km", "low_orbit", "mars", "terrain_near", "terrain_far"}) {
+         {"noon", "golden_hour", "twilight", "altitude_10km", "low_orbit", "mars", "methane", "terrain_near", "terrain_far"}) {
         CAPTURE(name);
         CHECK(complaint([&] { (void)read_scene(folder / (std::string(name) + ".toml")); }) == "nothing");
     }
     CHECK(read_scene(folder / "twilight.toml").suns.at(0).pose.elevation_deg == -4);
+    const DensityTerm methane = read_scene(folder / "methane.toml").atmosphere.terms.at(1);
+    CHECK(methane.scattering_per_m == Rgb(0));
+    CHECK(methane.absorption_per_m.r > methane.absorption_per_m.g);
+    CHECK(methane.absorption_per_m.g > methane.absorption_per_m.b);
 }
 
 TEST_CASE("the scenes of the truth tables hold the tables' parameters") {

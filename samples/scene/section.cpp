@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 #include <sstream>
+#include <utility>
 
 namespace aureole::app {
 
@@ -37,7 +38,12 @@ std::string print_node(const toml::node& node) {
         out << print_number(real->get());
     else if (const auto* flag = node.as_boolean())
         out << (flag->get() ? "true" : "false");
-    else if (const auto* array = node.as_array())
+    else if (const auto* array = node.as_array(); array && array->size() <= 8) {
+        out << '[';
+        const char* between = "";
+        for (const toml::node& element : *array) out << std::exchange(between, ", ") << print_node(element);
+        out << ']';
+    } else if (array)
         out << "an array of " << array->size();
     else if (node.is_table())
         out << "a table";
@@ -166,6 +172,11 @@ std::vector<Section> Section::sections(std::string_view key) {
         result.push_back(Section(std::move(impl)));
     }
     return result;
+}
+
+std::string Section::printed(std::string_view key) const {
+    const toml::node* node = impl_->table->get(key);
+    return node ? print_node(*node) : "nothing";
 }
 
 void Section::finish() const {

@@ -42,6 +42,9 @@ public:
     /// True if the key holds a text (for keys that take a text or a number).
     [[nodiscard]] bool is_text(std::string_view key) const;
 
+    /// The key's value as a message shows it; long arrays by their length alone.
+    [[nodiscard]] std::string printed(std::string_view key) const;
+
     /// Throws if a key has not been asked for, naming the keys that can be.
     void finish() const;
     /// "noon.toml:12: camera.altitude_m"; with an empty key the section itself.

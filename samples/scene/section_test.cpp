@@ -54,7 +54,7 @@ TEST_CASE("Section: messages say file, line, key, value and what is allowed") {
           }) == "t.toml:1: a: 1 is not allowed; allowed: an array of numbers in [0, 1]");
     CHECK(rejected("a = [1, 1]", [](Section& s) {
               (void)s.rgb("a", {0, 1});
-          }) == "t.toml:1: a: an array of 2 is not allowed; allowed: a number, or [red, green, blue], each in [0, 1]");
+          }) == "t.toml:1: a: [1, 1] is not allowed; allowed: a number, or [red, green, blue], each in [0, 1]");
     CHECK(contains(rejected("a = inf", [](Section& s) { (void)s.rgb("a", {0, 1}); }), "a: inf is not allowed"));
     CHECK(rejected("a = 1", [](Section& s) { (void)s.boolean("a"); }) ==
           "t.toml:1: a: 1 is not allowed; allowed: true or false");
@@ -65,7 +65,9 @@ TEST_CASE("Section: messages say file, line, key, value and what is allowed") {
           }) == "t.toml:1: a: \"z\" is not allowed; allowed: \"x\", \"y\"");
     CHECK(rejected("a = 1", [](Section& s) { (void)s.section("a"); }) == "t.toml:1: a: 1 is not allowed; allowed: a table");
     CHECK(rejected("a = [1]", [](Section& s) { (void)s.sections("a"); }) ==
-          "t.toml:1: a: an array of 1 is not allowed; allowed: an array of tables");
+          "t.toml:1: a: [1] is not allowed; allowed: an array of tables");
+    CHECK(rejected("a = [1, 2, 3, 4, 5, 6, 7, 8, 9]", [](Section& s) { (void)s.text("a"); }) ==
+          "t.toml:1: a: an array of 9 is not allowed; allowed: a text in quotes");
     CHECK(rejected("a = 1979-05-27", [](Section& s) { (void)s.text("a"); }) ==
           "t.toml:1: a: a date or time is not allowed; allowed: a text in quotes");
     CHECK(rejected("[[k]]\na = 1\n[[k]]\n[k.s]\nb = 7\n", [](Section& s) {

@@ -1,6 +1,8 @@
 # Installs a build into a staging folder, moves it (a package must not know where it was born), and configures, builds and runs
 # the outside project beside this file against it.
-#   cmake -D BUILD_DIR=... -D WORK_DIR=... -D CXX_COMPILER=... -P install_test.cmake
+# Then the shader that it wrote, which includes the installed look-ups, is compiled, and a second project without any backend is
+# built and run.
+#   cmake -D BUILD_DIR=... -D WORK_DIR=... -D CXX_COMPILER=... -D GLSLANG=... -P install_test.cmake
 cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE "${WORK_DIR}")
@@ -17,7 +19,13 @@ endfunction()
 
 step("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${WORK_DIR}/born")
 file(RENAME "${WORK_DIR}/born" "${WORK_DIR}/prefix")
-step("${CMAKE_COMMAND}" -G Ninja -S "${CMAKE_CURRENT_LIST_DIR}" -B "${WORK_DIR}/build" "-DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix"
-     "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}" -DCMAKE_BUILD_TYPE=Release)
-step("${CMAKE_COMMAND}" --build "${WORK_DIR}/build")
-step("${WORK_DIR}/build/outside")
+function(build_and_run source build program)
+    step("${CMAKE_COMMAND}" -G Ninja -S "${source}" -B "${build}" "-DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix"
+         "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}" -DCMAKE_BUILD_TYPE=Release)
+    step("${CMAKE_COMMAND}" --build "${build}")
+    step("${build}/${program}" ${ARGN})
+endfunction()
+
+build_and_run("${CMAKE_CURRENT_LIST_DIR}" "${WORK_DIR}/build" outside "${WORK_DIR}/host.comp")
+step("${GLSLANG}" -V --target-env vulkan1.1 "-I${WORK_DIR}/prefix/include" -o "${WORK_DIR}/host.spv" "${WORK_DIR}/host.comp")
+build_and_run("${CMAKE_CURRENT_LIST_DIR}/rhi_only" "${WORK_DIR}/build_rhi_only" outside_rhi)

@@ -1,10 +1,12 @@
-// Renders one row of sky through the installed package, on the CPU and, where it was built and has a device, on Vulkan.
+// Renders one row of sky through the installed package, on the CPU and, where it was built and has a device, on Vulkan; and
+// writes a shader of its own that includes the package's look-ups: outside SHADER_TO_WRITE.
 #include <aureole/atmosphere.h>
 #include <aureole/cpu/cpu_device.h>
 #include <aureole/presets.h>
 
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <glm/trigonometric.hpp>
 #include <span>
 #include <vector>
@@ -70,11 +72,30 @@ bool is_sky(const std::vector<float>& pixels, const char* backend) {
     return pixels[2] > pixels[0];
 }
 
+/// What a host's shader of this air would be.
+bool write_shader(rhi::Device& device, const char* path) {
+    aureole::Atmosphere air(device, aureole::presets::earth());
+    const aureole::View view(air);
+    std::ofstream file(path);
+    file << "#version 450\n#extension GL_GOOGLE_include_directive : require\n#define AUREOLE_DEFINED_CONSTANTS\n"
+         << view.shader_defines() << R"(#include "aureole/glsl/aureole.glsl"
+layout(local_size_x = 1) in;
+layout(std430, set = 0, binding = 7) writeonly buffer Answer { vec3 answer[]; };
+void main() {
+    AureoleAir air = aureole_aerial_perspective(0.5, 0.5, 1000.0, vec3(1, 0, 0));
+    answer[0] = aureole_sky(vec3(0, 0, 1)) * air.transmittance + air.radiance;
+    answer[1] = aureole_sun_irradiance(0, vec3(0)) + aureole_sky_irradiance(vec3(0, 0, 1));
+}
+)";
+    return file.flush().good();
+}
+
 }  // namespace
 
-int main() {
-    bool good = true;
+int main(int argc, char** argv) {
+    bool good = argc == 2;
     const auto cpu = aureole::cpu::create_cpu_device({});
+    good = good && write_shader(cpu->device(), argv[1]);
     good = is_sky(render(cpu->device(), cpu->queue()), "cpu") && good;
 #ifdef OUTSIDE_HAS_VULKAN
     for (const auto& info : aureole::vulkan::list_vulkan_devices().devices) {

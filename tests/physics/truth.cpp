@@ -2,8 +2,6 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <iostream>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -17,21 +15,15 @@ std::vector<std::string> cells(const std::string& line) {
     return result;
 }
 
-}  // namespace
-
-std::optional<std::filesystem::path> truth_file(const std::string& name) {
+std::filesystem::path truth_file(const std::string& name) {
     const char* named = std::getenv("AUREOLE_TRUTH_DIR");
-    const std::filesystem::path folder = named ? named : std::filesystem::path(AUREOLE_SOURCE_DIR) / "../shared/truth";
-    const std::filesystem::path file = folder / name;
-    if (std::filesystem::exists(file)) return file;
-    static std::set<std::string> said;
-    if (said.insert(name).second)
-        std::cout << "skipped: no " << name << " in " << folder.lexically_normal().string()
-                  << "; set AUREOLE_TRUTH_DIR to the folder of the truth tables\n";
-    return std::nullopt;
+    return std::filesystem::path(named ? named : AUREOLE_TRUTH_TABLES) / name;
 }
 
-TruthTable read_truth(const std::filesystem::path& path) {
+}  // namespace
+
+TruthTable read_truth(const std::string& name) {
+    const std::filesystem::path path = truth_file(name);
     std::ifstream file(path);
     if (!file) throw std::runtime_error("cannot read " + path.string());
     TruthTable table;
@@ -48,6 +40,7 @@ TruthTable read_truth(const std::filesystem::path& path) {
                 table.rows.back()[name] = values[static_cast<std::size_t>(&name - names.data())];
         }
     }
+    if (table.rows.empty()) throw std::runtime_error(path.string() + ": holds no row");
     return table;
 }
 

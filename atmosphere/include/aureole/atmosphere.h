@@ -1,12 +1,14 @@
 // The atmosphere module: owns its tables and records the passes that fill and use them into a host's command list.
 //
-//     Atmosphere air(device, presets::earth());         // tables of the planet: transmittance, multi-scatter
-//     View view(air, {.target_format = rgba16_float});  // tables of a camera: sky-view, aerial perspective, light; composite
-//     each frame:
+//     Atmosphere air(device, presets::earth());  // tables of the planet: transmittance, multi-scatter
+//     View view(air, {}, {.target_format = rhi::Format::rgba16_float});  // tables of a camera, and the composite
+//     view.prepare_composite(targets);           // once for each set of textures
+//     while (next_frame()) {
 //         view.update(camera, suns);
-//         air.record(commands);                         // nothing, unless the air has changed
-//         view.record(commands);                        // nothing, unless camera, suns or air have changed
+//         air.record(commands);                  // nothing, unless the air has changed
+//         view.record(commands);                 // nothing, unless camera, suns or air have changed
 //         view.record_composite(commands, targets);
+//     }
 //
 // Recording never allocates, submits, waits or throws. Constructors and set_* may allocate and throw aureole::Error, leaving
 // everything as it was. One thread at a time may use an Atmosphere and its views.

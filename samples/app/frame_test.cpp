@@ -131,10 +131,10 @@ TEST_CASE("probe: what is rejected") {
         const std::vector<ProbeRow> rows{{30, 0, 20, 90}, row};
         return complaint([&] { (void)probe(*backend, presets::earth(), QualitySettings::low(), rows); });
     };
-    CHECK(rejected({181, 0, 0, 0}) == "sun_zenith_deg of row 2: 181 is not allowed; allowed: in [0, 180]");
-    CHECK(contains(rejected({0, -11, 0, 0}), "altitude_km of row 2: -11"));
-    CHECK(contains(rejected({0, 0, NAN, 0}), "view_zenith_deg of row 2: nan"));
-    CHECK(contains(rejected({0, 0, 0, 400}), "azimuth_deg of row 2: 400"));
+    CHECK(rejected({181, 0, 0, 0}) == "row 2: sun_zenith_deg: 181 is not allowed; allowed: in [0, 180]");
+    CHECK(contains(rejected({0, -11, 0, 0}), "row 2: altitude_km: -11"));
+    CHECK(contains(rejected({0, 0, NAN, 0}), "row 2: view_zenith_deg: nan"));
+    CHECK(contains(rejected({0, 0, 0, 400}), "row 2: azimuth_deg: 400"));
 }
 
 TEST_CASE("land: near ground hides the sky, and the air in front of far ground shines") {

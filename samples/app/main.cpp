@@ -27,10 +27,12 @@ int complain(std::string message) {
 void name_unknown_command(const CLI::App& program, int argc, char** argv) {
     const auto is_word = [](const char* argument) { return argument[0] != '-'; };
     char** const word = std::find_if(argv + 1, argv + argc, is_word);
-    if (word == argv + argc || program.get_subcommand_no_throw(*word) != nullptr) return;
+    if (word == argv + argc) return;
     std::string known;
-    for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+    for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+        if (command->get_name() == *word) return;
         known.append(known.empty() ? "" : ", ").append(command->get_name());
+    }
     throw aureole::Error(aureole::ErrorCode::invalid_argument, "COMMAND", '"' + std::string(*word) + '"', known);
 }
 

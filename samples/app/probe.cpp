@@ -67,7 +67,8 @@ private:
 void check_row(const ProbeRow& row, const std::string& place) {
     const auto check = [&](const char* field, double value, double low, double high) {
         if (!(value >= low && value <= high))
-            throw Error(ErrorCode::invalid_argument, place + ": " + field, print_number(value), "in [" + print_number(low) + ", " + print_number(high) + "]");
+            throw Error(ErrorCode::invalid_argument, place + ": " + field, print_number(value),
+                        "in [" + print_number(low) + ", " + print_number(high) + "]");
     };
     check("sun_zenith_deg", row.sun_zenith_deg, 0, 180);
     check("altitude_km", row.altitude_km, -10, 1e9);

@@ -110,7 +110,7 @@ struct CompositeTargets {
     rhi::Texture target{};
     rhi::Texture directions{};  ///< Optional rgba32_float texture of the target's size: world directions (xyz) that replace the
                                 ///< camera's rays; for tools that probe single directions.
-    rhi::Extent extent{};       ///< Of the target.
+    rhi::Extent extent{};       ///< Of the target. Another size is rejected if the device knows its textures (Device::find).
 };
 
 /// A camera's own tables, and the pass that shows them.
@@ -122,7 +122,8 @@ public:
     View(const View&) = delete;
     View& operator=(const View&) = delete;
 
-    /// Takes the frame's camera and suns (at most max_suns; none: night). Throws and changes nothing if a value is rejected.
+    /// Takes the frame's camera and suns (at most max_suns; none: night). Throws and changes nothing if a value is rejected. A
+    /// camera that comes closer to the planet's centre than half its radius is told to the log, as a warning.
     void update(const Camera& camera, std::span<const Sun> suns);
 
     /// Replaces CompositeSettings::exposure. Finite, in [1e-30, 1e30].

@@ -53,8 +53,7 @@ PhaseFunction read_draine(Section& section) {
 }
 
 /// Angles as the file has them: what aureole::validate would say of them it would say in radians, and of another field.
-std::vector<double> read_angles(Section& section) {
-    const std::vector<double> degrees = section.numbers("angle_deg", {0, 180}).value_or(std::vector<double>{});
+void check_angles(const Section& section, const std::vector<double>& degrees) {
     const auto reject = [&](std::size_t i, const std::string& allowed) {
         section.reject("angle_deg", print_number(degrees[i]) + " as element " + std::to_string(i), allowed);
     };
@@ -64,7 +63,6 @@ std::vector<double> read_angles(Section& section) {
     for (std::size_t i = 1; i < degrees.size(); ++i)
         if (!(degrees[i] > degrees[i - 1])) reject(i, "greater than " + print_number(degrees[i - 1]));
     if (degrees.back() != 180) reject(degrees.size() - 1, "180, the last angle");
-    return degrees;
 }
 
 PhaseFunction read_phase(Section section) {
@@ -92,9 +90,11 @@ PhaseFunction read_phase(Section section) {
             break;
         case 4: {
             TabulatedPhase p;
-            p.angle_rad = read_angles(section);
-            for (double& angle : p.angle_rad) angle *= std::numbers::pi / 180;
+            p.angle_rad = section.numbers("angle_deg", any).value_or(std::vector<double>{});
             p.value = section.numbers("value", any).value_or(std::vector<double>{});
+            section.finish();
+            check_angles(section, p.angle_rad);
+            for (double& angle : p.angle_rad) angle *= std::numbers::pi / 180;
             phase = p;
             break;
         }

@@ -142,7 +142,7 @@ Rgb natural_albedo(glm::dvec2 place, double height_m, const glm::dvec3& normal, 
     const Rgb trees = forest * (0.75 + 0.5 * patches) * (0.55 + 0.9 * crowns);
     // Woods on slopes and heights, fields in the flat.
     const double wooded = smooth(0.006, 0.03, steepness + 0.04 * (stands - 0.5)) * 0.85 + 0.15 * smooth(400, 700, height_m);
-    const Rgb ground = glm::mix(fields, trees, smooth(0.3, 0.7, wooded + 0.6 * (stands - 0.5) + 0.7 * (tufts - 0.5)));
+    const Rgb ground = glm::mix(fields, trees, smooth(0.3, 0.7, wooded + 0.6 * (stands - 0.5) + 1.6 * (tufts - 0.5)));
     return glm::mix(ground, rock * (0.7 + 0.6 * patches), smooth(0.16, 0.30, steepness + 0.08 * (patches - 0.5)));
 }
 

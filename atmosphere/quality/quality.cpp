@@ -125,7 +125,7 @@ QualitySettings QualitySettings::published_2020() {
 QualitySettings QualitySettings::by_name(std::string_view name) {
     for (const Named& setting : named)
         if (setting.name == name) return setting.make();
-    // Appended piece by piece: g++ 12 warns about an insertion at the front of a string when it optimizes harder (GCC bug 105651).
+    // Appended piece by piece: with -O3, g++ 12 warns about an insertion at the front of a string (GCC bug 105651).
     detail::reject("quality", std::string("\"").append(name).append("\""), "low, default, high or published-2020");
 }
 

@@ -3,6 +3,7 @@
 #include "app/meter.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <variant>
 
@@ -67,7 +68,9 @@ struct FrameRenderer::Target : Canvas {
 
     /// Every pass of the view once, for a small picture that nobody sees, by a camera that is none of the scene's.
     void warm_up(Camera camera, const std::vector<Sun>& suns) {
-        Canvas small(backend, composite, {16, 16, 1});
+        // Drivers compile once more for powers of two (Mesa's software rasterizer does).
+        const auto small_side = [](std::uint32_t side) { return std::has_single_bit(side) ? 16u : 24u; };
+        Canvas small(backend, composite, {small_side(targets.extent.width), small_side(targets.extent.height), 1});
         const std::vector<float> nothing(4 * small.pixels());
         if (composite.scene_depth) small.give_land(nothing, std::span(nothing).first(small.pixels()));
         camera.position_m *= 1 + 1e-6;

@@ -37,6 +37,11 @@ cmake/build.sh release aureole_app
 built=$SECONDS
 mkdir -p "$out"
 
+# Once, before the pictures: render says it again for each.
+echo
+build/release/bin/aureole devices < /dev/null
+echo "Rendering ${#scenes[@]} pictures: about half a minute on 2 cores."
+
 done_scenes=()
 failed_scenes=()
 for i in "${!scenes[@]}"; do

@@ -1,7 +1,11 @@
 # How every target of this tree is built: warnings, sanitizers, names.
 
-# Warnings are errors in our own code, and only while building it: nothing of this reaches a project that uses Aureole.
-set(AUREOLE_WARNINGS -Wall -Wextra -Wconversion -Werror)
+# For our own code, and only while building it: nothing of this reaches a project that uses Aureole. Which warnings there are
+# depends on compiler and flags, so they stop nobody's build but ours.
+set(AUREOLE_WARNINGS -Wall -Wextra -Wconversion)
+if(AUREOLE_WARNINGS_AS_ERRORS)
+    list(APPEND AUREOLE_WARNINGS -Werror)
+endif()
 
 # Sanitizers apply to a whole program, so they are set for every target of the tree.
 if(AUREOLE_SANITIZE)

@@ -53,6 +53,26 @@ void CompositePass::check(const CompositeTargets& targets) const {
     need(settings_.scene_depth, targets.scene_depth, "targets.scene_depth");
     detail::check("targets.extent.width", targets.extent.width, 1, shared_.objects.device().capabilities().max_texture_2d);
     detail::check("targets.extent.height", targets.extent.height, 1, shared_.objects.device().capabilities().max_texture_2d);
+    check_sizes(targets);
+}
+
+/// As far as the device knows its textures.
+void CompositePass::check_sizes(const CompositeTargets& targets) const {
+    const auto print = [](const rhi::Extent& e) { return std::to_string(e.width) + "x" + std::to_string(e.height); };
+    const auto extent_of = [&](rhi::Texture texture) {
+        const rhi::TextureDesc* desc = texture ? shared_.objects.device().find(texture) : nullptr;
+        return desc ? desc->extent : targets.extent;
+    };
+    const rhi::Extent size = extent_of(targets.target);
+    if (!(size == targets.extent))
+        reject("targets.extent", print(targets.extent), print(size) + ", the size of targets.target");
+    const auto same = [&](rhi::Texture texture, const char* field) {
+        const rhi::Extent given = extent_of(texture);
+        if (!(given == size)) reject(field, print(given), print(size) + ", the size of targets.target");
+    };
+    if (settings_.scene_color) same(targets.scene_color, "targets.scene_color");
+    if (settings_.scene_depth) same(targets.scene_depth, "targets.scene_depth");
+    same(targets.directions, "targets.directions");
 }
 
 rhi::BindingSet CompositePass::bind(Objects& objects, const CompositeTargets& targets, rhi::Pipeline pipeline) const {

@@ -37,6 +37,7 @@ private:
     [[nodiscard]] rhi::Pipeline pipeline(bool given_directions);
     [[nodiscard]] rhi::BindingSet bind(Objects& objects, const CompositeTargets& targets, rhi::Pipeline pipeline) const;
     void check(const CompositeTargets& targets) const;
+    void check_sizes(const CompositeTargets& targets) const;
 
     ViewResources& shared_;
     TrackedTexture& sky_view_;

@@ -108,6 +108,16 @@ struct View::Impl final : detail::AirUser {
         for (const Sun& sun : lit) validate(sun);
         return detail::pack_view(by, lit, air.parameters.planet, inputs);
     }
+    /// A position relative to a world's origin on the ground is not wrong in itself, but nobody means it.
+    void tell_if_deep(const Camera& by) {
+        const double distance = glm::length(by.position_m), radius = air.parameters.planet.bottom_radius_m;
+        const bool is_deep = distance < radius / 2;
+        if (is_deep && !deep)
+            log()->warn(
+                "camera.position_m: {} m from the planet's centre, the ground is at {} m; it is relative to that centre",
+                detail::print(distance), detail::print(radius));
+        deep = is_deep;
+    }
     void use(const detail::ViewBlock& fresh) {
         block_stale |= !detail::same_block(fresh, block);
         sky_stale |= !(detail::SkyViewKey::of(fresh) == detail::SkyViewKey::of(block));
@@ -122,6 +132,7 @@ struct View::Impl final : detail::AirUser {
     std::unique_ptr<detail::ViewTables> tables, pending;
     detail::ViewBlock block{};
     bool updated = false;
+    bool deep = false;  // the camera is nearer to the planet's centre than to its ground
     bool sky_stale = true, froxels_stale = true, light_stale = true, block_stale = true;
     std::uint64_t air_version = 0;
     Camera camera;
@@ -137,6 +148,7 @@ void View::update(const Camera& camera, std::span<const Sun> suns) {
     Impl& impl = *impl_;
     detail::check_count("suns", suns.size(), 0, impl.settings.max_suns);
     impl.use(impl.pack(camera, suns));
+    impl.tell_if_deep(camera);
     impl.camera = camera;
     impl.suns.assign(suns.begin(), suns.end());
     impl.updated = true;

@@ -250,6 +250,28 @@ TEST_CASE("view: recording too early says so and records nothing") {
     CHECK(!rig.view.reports()[3].recorded);
 }
 
+TEST_CASE("view: a camera deep inside the planet is told to the log, once a change") {
+    const auto cpu = open_cpu_float();
+    Rig rig(*cpu, setup_of());
+    const Sun sun = sun_at(30);
+    const auto told = [&](double altitude_m) {
+        Log log;
+        Camera camera = camera_at(earth, 0);
+        camera.position_m.z += altitude_m;
+        rig.view.update(camera, {&sun, 1});
+        return log.text();
+    };
+    CHECK(told(100) == "");
+    CHECK(told(-0.49 * earth.bottom_radius_m) == "");
+    // As if the position were relative to an origin on the ground.
+    const std::string text = told(-earth.bottom_radius_m + 2);
+    CAPTURE(text);
+    CHECK(text.find("camera.position_m: 2 m from the planet's centre") != std::string::npos);
+    CHECK(told(-earth.bottom_radius_m + 3) == "");  // still so
+    CHECK(told(100) == "");
+    CHECK(told(-earth.bottom_radius_m + 2) != "");
+}
+
 TEST_CASE("view: composites need their textures") {
     const auto cpu = open_cpu_float();
     Setup setup = setup_of();
@@ -265,7 +287,16 @@ TEST_CASE("view: composites need their textures") {
     CHECK(field({.scene_depth = scene, .target = target, .extent = size}) == "targets.scene_color");
     CHECK(field({.scene_color = scene, .target = target, .extent = size}) == "targets.scene_depth");
     CHECK(field({.scene_color = scene, .scene_depth = scene, .target = target, .extent = {0, 4, 1}}) == "targets.extent.width");
-    CHECK(cpu->device().live() == live);
+    // Sizes that the device knows.
+    const rhi::Texture small = cpu->make("small", rhi::Format::rgba32_float, {{8, 11, 1}, std::vector<glm::dvec4>(8 * 11)});
+    const std::uint64_t with_small = cpu->device().live();
+    CHECK(field({.scene_color = scene, .scene_depth = scene, .target = target, .extent = {8, 11, 1}}) == "targets.extent");
+    CHECK(field({.scene_color = small, .scene_depth = scene, .target = target, .extent = size}) == "targets.scene_color");
+    CHECK(field({.scene_color = scene, .scene_depth = small, .target = target, .extent = size}) == "targets.scene_depth");
+    CHECK(field({.scene_color = scene, .scene_depth = scene, .target = target, .directions = small, .extent = size}) ==
+          "targets.directions");
+    CHECK(with_small == live + 1);
+    CHECK(cpu->device().live() == with_small);
     CHECK(field({.scene_color = scene, .scene_depth = scene, .target = target, .extent = size}) == "nothing");
 }
 

@@ -115,7 +115,7 @@ void add_bench_command(CLI::App& program) {
     add_backend_options(*command, options->backend);
     command->add_option("--size", options->size, "WIDTHxHEIGHT of the composite, in pixels")->default_str("1280x720");
     command->add_option("--frames", options->options.frames, "Rounds to measure, 1 to 100000; two more are thrown away")
-        ->check(CLI::Range(1u, 100000u))
+        ->check(whole_number(1, 100000))
         ->default_str("20");
     command->add_flag("--raster", options->options.raster, "Composite with a full-screen draw instead of a compute pass");
     command->add_flag("--linear", options->options.linear,

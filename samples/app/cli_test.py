@@ -91,6 +91,9 @@ def check_render_faults():
     fails('not a readable .npz archive', 'render', terrain, *out, '--heightmap', put('bad.npz', 'no zip'))
     fails('not a readable PNG', 'render', terrain, *out, '--heightmap', put('bad.png', 'no png'))
     fails('not a readable EXR', 'render', terrain, *out, '--heightmap', put('bad.exr', 'no exr'))
+    lost = put('lost.toml', '[terrain]\n\nheightmap = "lost.png"\n')
+    fails('lost.toml:3: terrain.heightmap: ' + str(FOLDER / 'lost.png') + ': there is no such file', 'render', lost, *out)
+    fails('--heightmap: none.npz', 'render', terrain, *out, '--heightmap', 'none.npz')
     fails('typo.toml:3: camera.altitude: this key', 'render', put('typo.toml', '[camera]\n\naltitude = 5\n'), *out)
     fails('size.toml:1: size', 'render', put('size.toml', 'size = [-1, 5]\n'), *out)
     fails('not TOML', 'render', put('broken.toml', '[camera\n'), *out)
@@ -134,7 +137,7 @@ def check_probe():
     expect(all(0 < float(x) < 1 for line in lines[1:] for x in line.split(',')[4:]), f'plausible radiances {lines}')
     for part, text in (('column azimuth_deg is missing', 'sun_zenith_deg,altitude_km,view_zenith_deg\n1,2,3\n'),
                        ('f.csv:2: azimuth_deg: "nan"', header + '\n1,2,3,nan\n'), ('f.csv:2: 3 cells', header + '\n1,2,3\n'),
-                       ('holds no row', header + '\n'), ('holds no row', ''), ('sun_zenith_deg of row 1: 200', header + '\n200,2,3,4\n')):
+                       ('holds no row', header + '\n'), ('holds no row', ''), ('f.csv:3: view_zenith_deg: 300', header + '\n1,2,3,4\n1,2,300,4\n')):
         fails(part, *probe, FOLDER / 'x.csv', '--directions', put('f.csv', text))
     fails('there is no such file', *probe, FOLDER / 'x.csv', '--directions', 'none.csv')
     fails('there is no folder', *probe, FOLDER / 'none/x.csv', '--directions', rows)
@@ -162,7 +165,10 @@ def check_bench_and_devices():
     expect(all(p['median_ms'] > 0 and p['bytes_written'] > 0 for q in bench['qualities'] for p in q['passes']), 'bench: passes')
     expect(bench['qualities'][3]['ratio_to_published_2020']['per_frame'] == 1, 'bench: ratio to itself')
     expect('published-2020' in out and 'per frame' in out, 'bench prints a table')
-    fails('--frames', 'bench', *BACKEND, '--frames', 0)
+    fails('--frames: 0 is not allowed; allowed: 1 to 100000', 'bench', *BACKEND, '--frames', 0)
+    for text in ('abc', '3x', '-1', '1.5'):
+        fails(f'--frames: "{text}" is not a whole number', 'bench', *BACKEND, f'--frames={text}')
+    fails('--frames: 99999999999 is not allowed', 'bench', *BACKEND, '--frames', '99999999999')
     fails('there is no folder', 'bench', *BACKEND, '--json', FOLDER / 'none/x.json')
     out = works('devices')
     expect('cpu-double' in out and 'vulkan' in out, f'devices: {out}')
@@ -173,7 +179,9 @@ def check_help():
         out = works(*command, '--help')
         expect(len(out.splitlines()) > 3, f'help of {command}')
     fails('ubcommand', )
-    fails('', 'paint')
+    fails('COMMAND: "frobnicate" is not allowed; allowed: render, probe, score, bench, devices', '--verbose', 'frobnicate')
+    version = works('--version')
+    expect(version.startswith('aureole ') and version.split()[1][0].isdigit(), f'version: {version}')
 
 
 if BACKEND[1] == 'vulkan' and not vulkan_runs():

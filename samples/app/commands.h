@@ -19,6 +19,9 @@ void add_backend_options(CLI::App& command, BackendOptions& options);
 /// --quality with the four names; empty means what the scene says.
 void add_quality_option(CLI::App& command, std::string& quality, const std::string& help);
 
+/// Checks an option's text; messages tell what is no number from what is out of range.
+[[nodiscard]] CLI::Validator whole_number(std::uint32_t low, std::uint32_t high);
+
 struct Size {
     std::uint32_t width, height;
 };

@@ -1,16 +1,17 @@
 #include "app/frame.h"
 
+#include "app/meter.h"
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <variant>
 
 namespace aureole::app {
 namespace {
 
 constexpr std::uint32_t meter_side = 192;
 constexpr std::uint32_t longest_aspect = 1000;  // a camera's (camera.h)
-constexpr double middle_grey = 0.4;
-/// Luminance below which automatic exposure does not go on brightening: nights stay dark.
-constexpr double darkest = 1e-9;
 
 /// Of the picture's shape, with `meter_side` pixels on its longer side.
 rhi::Extent meter_extent(std::uint32_t width, std::uint32_t height) {
@@ -43,14 +44,10 @@ ViewSettings view_settings(const Scene& scene, bool land) {
 
 }  // namespace
 
-/// A view with the textures that it composites from and into.
-struct FrameRenderer::Target {
-    Target(Backend& backend, Atmosphere& air, const ViewSettings& settings, const CompositeSettings& composite,
-           rhi::Extent extent)
-        : backend(backend),
-          textures(backend),
-          state(composite.raster ? rhi::State::color_attachment : rhi::State::storage_write),
-          view(air, settings, composite) {
+/// The textures that a view composites from and into.
+struct FrameRenderer::Canvas {
+    Canvas(Backend& backend, const CompositeSettings& composite, rhi::Extent extent)
+        : textures(backend), state(composite.raster ? rhi::State::color_attachment : rhi::State::storage_write) {
         const rhi::Usage written = composite.raster ? rhi::Usage::color_attachment : rhi::Usage::storage;
         targets.extent = extent;
         targets.target = textures.create("picture", composite.target_format, extent, written | rhi::Usage::copy_source);
@@ -60,15 +57,50 @@ struct FrameRenderer::Target {
             targets.scene_color = textures.create("land colour", rhi::Format::rgba32_float, extent, given);
             targets.scene_depth = textures.create("land depth", rhi::Format::d32_float, extent, given);
         }
+    }
+
+    void give_land(std::span<const float> rgba, std::span<const float> depth) {
+        const rhi::State color_before = filled ? rhi::State::sampled : rhi::State::undefined;
+        const rhi::State depth_before = filled ? rhi::State::depth_read : rhi::State::undefined;
+        textures.upload(targets.scene_color, std::as_bytes(rgba), color_before, rhi::State::sampled);
+        textures.upload(targets.scene_depth, std::as_bytes(depth), depth_before, rhi::State::depth_read);
+        filled = true;
+    }
+
+    [[nodiscard]] std::size_t pixels() const { return std::size_t{targets.extent.width} * targets.extent.height; }
+
+    DeviceTextures textures;
+    rhi::State state;
+    CompositeTargets targets;
+    bool filled = false;
+};
+
+/// A view with what it composites from and into.
+struct FrameRenderer::Target : Canvas {
+    Target(Backend& backend_in, Atmosphere& air, const ViewSettings& settings, const CompositeSettings& composite_in,
+           rhi::Extent extent)
+        : Canvas(backend_in, composite_in, extent),
+          backend(backend_in),
+          composite(composite_in),
+          view(air, settings, composite) {
         view.prepare_composite(targets);
     }
 
-    void give_land(const TerrainPicture& picture) {
-        const rhi::State color_before = filled ? rhi::State::sampled : rhi::State::undefined;
-        const rhi::State depth_before = filled ? rhi::State::depth_read : rhi::State::undefined;
-        textures.upload(targets.scene_color, std::as_bytes(std::span(picture.rgba)), color_before, rhi::State::sampled);
-        textures.upload(targets.scene_depth, std::as_bytes(std::span(picture.depth)), depth_before, rhi::State::depth_read);
-        filled = true;
+    /// Every pass of the view once, for a small picture that nobody sees, by a camera that is none of the scene's.
+    void warm_up(Camera camera, const std::vector<Sun>& suns) {
+        // Drivers compile once more for powers of two (Mesa's software rasterizer does).
+        const auto small_side = [](std::uint32_t side) { return std::has_single_bit(side) ? 16u : 24u; };
+        Canvas small(backend, composite, {small_side(targets.extent.width), small_side(targets.extent.height), 1});
+        const std::vector<float> nothing(4 * small.pixels());
+        if (composite.scene_depth) small.give_land(nothing, std::span(nothing).first(small.pixels()));
+        camera.position_m *= 1 + 1e-6;
+        view.prepare_composite(small.targets);
+        view.update(camera, suns);
+        backend.run([&](rhi::CommandList& commands) {
+            view.record(commands);
+            view.record_composite(commands, small.targets);
+        });
+        view.release_composite(small.targets);
     }
 
     void draw(std::vector<PassTime>* times) {
@@ -80,14 +112,9 @@ struct FrameRenderer::Target {
         if (times) collect_times(backend, view.reports(), view_slots, *times);
     }
 
-    [[nodiscard]] std::size_t pixels() const { return std::size_t{targets.extent.width} * targets.extent.height; }
-
     Backend& backend;
-    DeviceTextures textures;
-    rhi::State state;
+    CompositeSettings composite;
     View view;
-    CompositeTargets targets;
-    bool filled = false;
 };
 
 FrameRenderer::FrameRenderer(Backend& backend, const Scene& scene, const Land* land, const FrameOptions& options)
@@ -125,6 +152,22 @@ FrameRenderer::FrameRenderer(Backend& backend, const Scene& scene, const Land* l
 
 FrameRenderer::~FrameRenderer() = default;
 
+/// Drivers compile a pipeline when it is first used: what is timed must not be the first use. Air with tables of the scene's
+/// own would get new pipelines by a change, so there the air's passes are left as they are.
+void FrameRenderer::warm_up(const Camera& camera, const std::vector<Sun>& suns) {
+    if (warm_ || backend_.cpu() || !if_supported(backend_, air_slots).enabled) return;
+    warm_ = true;
+    AtmosphereParameters other = scene_.atmosphere;
+    other.planet.ground_albedo = Rgb(1) - 0.5 * other.planet.ground_albedo;
+    const bool tabulated = std::ranges::any_of(other.terms, [](const DensityTerm& term) {
+        return std::holds_alternative<TabulatedProfile>(term.profile) || std::holds_alternative<TabulatedPhase>(term.phase);
+    });
+    if (!tabulated) air_.set_parameters(other);
+    backend_.run([&](rhi::CommandList& commands) { air_.record(commands); });
+    target_->warm_up(camera, suns);
+    if (!tabulated) air_.set_parameters(scene_.atmosphere);
+}
+
 void FrameRenderer::record_air(std::vector<PassTime>& times) {
     const TimestampSlots slots = if_supported(backend_, air_slots);
     backend_.run([&](rhi::CommandList& commands) { air_.record(commands, slots); });
@@ -134,14 +177,22 @@ void FrameRenderer::record_air(std::vector<PassTime>& times) {
 double FrameRenderer::measure_exposure(const std::vector<Sun>& suns, const std::optional<TerrainLight>& light) {
     Target& meter = *meter_;
     const Camera camera = camera_of(scene_, camera_altitude_m_, meter.targets.extent.width, meter.targets.extent.height);
-    if (light) meter.give_land(land_->cast(camera, *light, meter.targets.extent.width, meter.targets.extent.height));
+    if (light) {
+        const TerrainPicture land = land_->cast(camera, *light, meter.targets.extent.width, meter.targets.extent.height);
+        meter.give_land(land.rgba, land.depth);
+    }
     meter.view.update(camera, suns);
     meter.draw(nullptr);
-    return automatic_exposure(meter.textures.read_floats(meter.targets.target, 4 * meter.pixels(), meter.state));
+    return automatic_exposure(meter.textures.read_floats(meter.targets.target, 4 * meter.pixels(), meter.state),
+                              solid_angles(camera, meter.targets.extent.width, meter.targets.extent.height));
 }
 
 Frame FrameRenderer::render(const std::vector<Sun>& suns, std::uint64_t number) {
     Frame frame;
+    Target& target = *target_;
+    const std::uint32_t width = target.targets.extent.width, height = target.targets.extent.height;
+    const Camera camera = camera_of(scene_, camera_altitude_m_, width, height);
+    warm_up(camera, suns);
     air_.set_frame(number);
     record_air(frame.times);
     std::optional<TerrainLight> light;
@@ -151,10 +202,10 @@ Frame FrameRenderer::render(const std::vector<Sun>& suns, std::uint64_t number) 
         frame.exposure *= std::exp2(scene_.exposure.stops);
     }
 
-    Target& target = *target_;
-    const std::uint32_t width = target.targets.extent.width, height = target.targets.extent.height;
-    const Camera camera = camera_of(scene_, camera_altitude_m_, width, height);
-    if (light) target.give_land(land_->cast(camera, *light, width, height));
+    if (light) {
+        const TerrainPicture land = land_->cast(camera, *light, width, height);
+        target.give_land(land.rgba, land.depth);
+    }
     target.view.set_exposure(frame.exposure);
     target.view.update(camera, suns);
     target.draw(&frame.times);
@@ -169,18 +220,6 @@ Frame FrameRenderer::render(const std::vector<Sun>& suns, std::uint64_t number) 
             std::span<const std::uint8_t>(target.textures.read_bytes(target.targets.target, 4 * target.pixels(), target.state)),
             width, height, options_.samples);
     return frame;
-}
-
-double automatic_exposure(std::span<const float> rgba) {
-    double sum = 0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
-        const double luminance = 0.2126 * rgba[i] + 0.7152 * rgba[i + 1] + 0.0722 * rgba[i + 2];
-        if (!(luminance > 0)) continue;
-        sum += std::log(std::max(luminance, darkest));
-        ++count;
-    }
-    return count == 0 ? 1 : middle_grey / std::exp(sum / static_cast<double>(count));
 }
 
 DisplayImage downsample(std::span<const std::uint8_t> rgba, std::uint32_t width, std::uint32_t height, std::uint32_t samples) {

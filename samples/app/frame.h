@@ -34,11 +34,15 @@ public:
     FrameRenderer(Backend& backend, const Scene& scene, const Land* land, const FrameOptions& options);
     ~FrameRenderer();
 
-    /// The scene under these suns. `number` counts frames; the dither pattern moves with it.
+    /// The scene under these suns. `number` counts frames; the dither pattern moves with it. Times are of passes that have run
+    /// before, without what a driver does at a pipeline's first use; of air with tables of its own (TabulatedProfile,
+    /// TabulatedPhase) transmittance and multi_scatter are the exception.
     [[nodiscard]] Frame render(const std::vector<Sun>& suns, std::uint64_t number = 0);
 
 private:
+    struct Canvas;
     struct Target;
+    void warm_up(const Camera& camera, const std::vector<Sun>& suns);
     void record_air(std::vector<PassTime>& times);
     [[nodiscard]] double measure_exposure(const std::vector<Sun>& suns, const std::optional<TerrainLight>& light);
 
@@ -49,10 +53,9 @@ private:
     double camera_altitude_m_;
     Atmosphere air_;
     std::unique_ptr<Target> target_, meter_;
+    bool warm_ = false;
 };
 
-/// Exposure that brings the picture's log-average luminance to a middle grey; black pixels are left out.
-[[nodiscard]] double automatic_exposure(std::span<const float> rgba);
 /// Averages blocks of samples by samples. Sums of 8-bit values are rounded by an ordered pattern, so that averaging does not
 /// undo the dither.
 [[nodiscard]] DisplayImage downsample(std::span<const std::uint8_t> rgba, std::uint32_t width, std::uint32_t height,

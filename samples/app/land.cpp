@@ -24,13 +24,23 @@ std::vector<LightRow> read_light(Backend& backend, const View& view, std::size_t
     return rows;
 }
 
+/// The height map, or an error that says who named it: the scene, or whoever overrode the scene.
+HeightMap read_map(const SceneTerrain& terrain, const std::filesystem::path& height_map) {
+    try {
+        return read_height_map(height_map, terrain.options);
+    } catch (const Error& problem) {
+        const std::string who = height_map == terrain.height_map ? terrain.height_map_key : "--heightmap";
+        throw Error(problem.code(), who + ": " + problem.what());
+    }
+}
+
 }  // namespace
 
 Land::Land(const Scene& scene, const std::filesystem::path& height_map)
     : bottom_radius_m_(scene.atmosphere.planet.bottom_radius_m) {
     const SceneTerrain& terrain = *scene.terrain;
     look_ = {terrain.albedo, terrain.range_m};
-    field_ = std::make_unique<HeightField>(read_height_map(height_map, terrain.options), terrain.vertical_exaggeration);
+    field_ = std::make_unique<HeightField>(read_map(terrain, height_map), terrain.vertical_exaggeration);
     const glm::dvec2 anchor(terrain.camera_east_m, terrain.camera_north_m);
     caster_ = std::make_unique<RayCaster>(*field_, bottom_radius_m_, anchor);
     const double ground = field_->height(anchor);

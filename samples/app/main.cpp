@@ -6,8 +6,10 @@
 
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
+#include <algorithm>
 #include <cstdio>
 #include <new>
+#include <string>
 
 namespace {
 
@@ -19,6 +21,19 @@ int complain(std::string message) {
         if (c == '\n') c = ' ';
     std::fprintf(stderr, "aureole: %s\n", message.c_str());
     return failed;
+}
+
+/// Said here because CLI11 only says that a command is missing.
+void name_unknown_command(const CLI::App& program, int argc, char** argv) {
+    const auto is_word = [](const char* argument) { return argument[0] != '-'; };
+    char** const word = std::find_if(argv + 1, argv + argc, is_word);
+    if (word == argv + argc) return;
+    std::string known;
+    for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+        if (command->get_name() == *word) return;
+        known.append(known.empty() ? "" : ", ").append(command->get_name());
+    }
+    throw aureole::Error(aureole::ErrorCode::invalid_argument, "COMMAND", '"' + std::string(*word) + '"', known);
 }
 
 }  // namespace
@@ -34,6 +49,7 @@ int main(int argc, char** argv) {
         "Exit code: 0, or 2 with one line on stderr. Files appear complete or not at all.\n"
         "Run `aureole COMMAND --help` for a command's options.");
     program.require_subcommand(1);
+    program.set_version_flag("--version", "aureole " AUREOLE_VERSION, "Print the version and exit");
     program.add_flag_callback(
         "--verbose", [] { spdlog::set_level(spdlog::level::debug); }, "Show the library's own messages");
     aureole::app::add_render_command(program);
@@ -42,12 +58,11 @@ int main(int argc, char** argv) {
     aureole::app::add_bench_command(program);
     aureole::app::add_devices_command(program);
     try {
+        name_unknown_command(program, argc, argv);
         program.parse(argc, argv);
         return 0;
-    } catch (const CLI::CallForHelp& help) {
-        return program.exit(help);
-    } catch (const CLI::CallForAllHelp& help) {
-        return program.exit(help);
+    } catch (const CLI::Success& asked) {  // for help or for the version
+        return program.exit(asked);
     } catch (const CLI::ParseError& problem) {
         return complain(problem.what() + std::string(" (see aureole --help)"));
     } catch (const aureole::Error& problem) {

@@ -15,12 +15,26 @@ void add_backend_options(CLI::App& command, BackendOptions& options) {
     command.add_flag("--validation", options.validation,
                      "Vulkan: run under the validation layer; what it reports makes the command fail");
     command.add_option("--threads", options.threads, "CPU backends: number of threads, 0 for one a processor core")
-        ->check(CLI::Range(0u, 1024u))
+        ->check(whole_number(0, 1024))
         ->default_str("0");
 }
 
 void add_quality_option(CLI::App& command, std::string& quality, const std::string& help) {
     command.add_option("--quality", quality, help)->check(CLI::IsMember({"low", "default", "high", "published-2020"}));
+}
+
+CLI::Validator whole_number(std::uint32_t low, std::uint32_t high) {
+    const std::string range = std::to_string(low) + " to " + std::to_string(high);
+    return {[=](std::string& text) -> std::string {
+                const char* end = text.data() + text.size();
+                std::uint32_t value = 0;
+                const auto read = std::from_chars(text.data(), end, value);
+                const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+                if (read.ptr != end || !digits) return "\"" + text + "\" is not a whole number; allowed: " + range;
+                if (read.ec != std::errc() || value < low || value > high) return text + " is not allowed; allowed: " + range;
+                return {};
+            },
+            range};
 }
 
 Size parse_size(const std::string& text) {

@@ -15,18 +15,6 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr std::uint32_t texture_width = 64;
 
-void check_row(const ProbeRow& row, std::size_t number) {
-    const auto check = [&](const char* field, double value, double low, double high) {
-        if (!(value >= low && value <= high))
-            throw Error(ErrorCode::invalid_argument, std::string(field) + " of row " + std::to_string(number),
-                        print_number(value), "in [" + print_number(low) + ", " + print_number(high) + "]");
-    };
-    check("sun_zenith_deg", row.sun_zenith_deg, 0, 180);
-    check("altitude_km", row.altitude_km, -10, 1e9);
-    check("view_zenith_deg", row.view_zenith_deg, 0, 180);
-    check("azimuth_deg", row.azimuth_deg, -360, 360);
-}
-
 /// The sun is in the plane of +x and up (+z).
 glm::dvec3 direction(double zenith_deg, double azimuth_deg) {
     const double z = zenith_deg * degree, a = azimuth_deg * degree;
@@ -76,12 +64,24 @@ private:
 
 }  // namespace
 
+void check_row(const ProbeRow& row, const std::string& place) {
+    const auto check = [&](const char* field, double value, double low, double high) {
+        if (!(value >= low && value <= high))
+            throw Error(ErrorCode::invalid_argument, place + ": " + field, print_number(value),
+                        "in [" + print_number(low) + ", " + print_number(high) + "]");
+    };
+    check("sun_zenith_deg", row.sun_zenith_deg, 0, 180);
+    check("altitude_km", row.altitude_km, -10, 1e9);
+    check("view_zenith_deg", row.view_zenith_deg, 0, 180);
+    check("azimuth_deg", row.azimuth_deg, -360, 360);
+}
+
 std::vector<Rgb> probe(Backend& backend, const AtmosphereParameters& parameters, const QualitySettings& quality,
                        std::span<const ProbeRow> rows) {
     Groups groups;
     std::size_t largest = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        check_row(rows[i], i + 1);
+        check_row(rows[i], "row " + std::to_string(i + 1));
         std::vector<std::size_t>& group = groups[{rows[i].sun_zenith_deg, rows[i].altitude_km}];
         group.push_back(i);
         largest = std::max(largest, group.size());

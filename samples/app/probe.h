@@ -7,6 +7,7 @@
 #include <aureole/quality.h>
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace aureole::app {
@@ -18,6 +19,9 @@ struct ProbeRow {
     double view_zenith_deg = 0;  ///< 0 is up; in [0, 180].
     double azimuth_deg = 0;      ///< In [-360, 360].
 };
+
+/// Throws Error(invalid_argument) for a value outside its range; `place` says where the row stands: "in.csv:12".
+void check_row(const ProbeRow& row, const std::string& place);
 
 /// Radiance of each row per unit of solar irradiance, in 1/sr, without the sun's disk; light reflected by the ground is part of
 /// it. Rows of the same sun and altitude share one update of the view. Throws Error(invalid_argument) naming the row (from 1).

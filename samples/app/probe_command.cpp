@@ -22,8 +22,10 @@ struct ProbeOptions {
 std::vector<ProbeRow> read_rows(const std::filesystem::path& path) {
     const CsvTable table = read_csv(path, input_columns);
     std::vector<ProbeRow> rows;
-    for (std::size_t i = 0; i < table.rows(); ++i)
+    for (std::size_t i = 0; i < table.rows(); ++i) {
         rows.push_back({table.columns[0][i], table.columns[1][i], table.columns[2][i], table.columns[3][i]});
+        check_row(rows.back(), path.string() + ":" + std::to_string(table.lines[i]));
+    }
     return rows;
 }
 

@@ -20,7 +20,8 @@ std::string progress_line(std::size_t done, std::size_t steps, double elapsed_s)
     constexpr std::size_t width = 30;
     const std::size_t total = std::max<std::size_t>(steps, 1);
     const std::size_t filled = std::min(done, total) * width / total;
-    std::string line = "[" + std::string(filled, '#') + std::string(width - filled, '.') + "]  ";
+    std::string line = "[";
+    line.append(filled, '#').append(width - filled, '.').append("]  ");
     line += std::to_string(done) + "/" + std::to_string(steps) + "  " + std::to_string(100 * done / total) + "%  ";
     line += print_duration(elapsed_s);
     if (done > 0 && done < steps)

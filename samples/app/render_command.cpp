@@ -147,7 +147,7 @@ void add_render_command(CLI::App& program) {
     command
         ->add_option("--samples", options->samples,
                      "Composite N by N times as many pixels and average them, 1 to 4: smooth edges of sun, horizon and land")
-        ->check(CLI::Range(1u, 4u))
+        ->check(whole_number(1, 4))
         ->default_str("2");
     command->add_option("--heightmap", options->height_map,
                         "Height map of a scene with terrain, instead of the scene's: jacksboro, or an .npz, .png or .exr file");
@@ -160,7 +160,7 @@ void add_render_command(CLI::App& program) {
                 "--frames", options->frames,
                 "Pictures in the sequence, 2 to 9999, written with their number: a %04d in the output's name, or -0001 "
                 "before its extension")
-            ->check(CLI::Range(2u, 9999u));
+            ->check(whole_number(2, 9999));
     elevations->needs(frames);
     frames->needs(elevations);
     command->callback([options] { render(*options); });

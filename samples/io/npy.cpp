@@ -25,7 +25,7 @@ struct Fault {
 /// The text behind 'key': in the header, a Python dictionary of one line, e.g.
 /// {'descr': '<i2', 'fortran_order': False, 'shape': (344, 403), }
 std::string_view entry(std::string_view header, std::string_view key, const Fault& fault) {
-    const std::string quoted = "'" + std::string(key) + "'";
+    const std::string quoted = std::string("'").append(key).append("'");
     std::size_t at = header.find(quoted);
     if (at == std::string_view::npos) fault("its header has no " + std::string(key));
     at = header.find_first_not_of(" \n", at + quoted.size());

@@ -50,6 +50,7 @@ SceneTerrain read_terrain(Section section, const std::filesystem::path& folder) 
     SceneTerrain terrain;
     const std::optional<std::string> map = section.text("heightmap");
     if (!map) section.reject("heightmap", "nothing", "\"jacksboro\", or a file that ends in .npz, .png or .exr");
+    terrain.height_map_key = section.where("heightmap");
     terrain.height_map = *map == "jacksboro" ? std::filesystem::path(*map) : folder / *map;
     terrain.options.spacing_m = section.number("spacing_m", {0.01, 1e6});
     terrain.options.meters_per_unit = section.number("meters_per_unit", {1e-6, 1e6}).value_or(1);

@@ -41,6 +41,7 @@ struct SceneCamera {
 
 struct SceneTerrain {
     std::filesystem::path height_map;  ///< Or "jacksboro".
+    std::string height_map_key;        ///< Where the scene names it, for messages: "hills.toml:12: terrain.heightmap".
     HeightMapOptions options;
     double vertical_exaggeration = 1;
     double camera_east_m = 0, camera_north_m = 0;  ///< Of the camera, from the middle of the map.

@@ -1,5 +1,7 @@
 #include "scene/scene_atmosphere.h"
 
+#include "io/csv.h"
+
 #include <aureole/presets.h>
 
 #include <algorithm>
@@ -50,6 +52,19 @@ PhaseFunction read_draine(Section& section) {
     return p;
 }
 
+/// Angles as the file has them: what aureole::validate would say of them it would say in radians, and of another field.
+void check_angles(const Section& section, const std::vector<double>& degrees) {
+    const auto reject = [&](std::size_t i, const std::string& allowed) {
+        section.reject("angle_deg", print_number(degrees[i]) + " as element " + std::to_string(i), allowed);
+    };
+    if (degrees.size() < 2 || degrees.size() > 4096)
+        section.reject("angle_deg", std::to_string(degrees.size()) + " angles", "2 to 4096 of them, increasing from 0 to 180");
+    if (degrees.front() != 0) reject(0, "0, the first angle");
+    for (std::size_t i = 1; i < degrees.size(); ++i)
+        if (!(degrees[i] > degrees[i - 1])) reject(i, "greater than " + print_number(degrees[i - 1]));
+    if (degrees.back() != 180) reject(degrees.size() - 1, "180, the last angle");
+}
+
 PhaseFunction read_phase(Section section) {
     const auto kind =
         section.choice("kind", {"rayleigh", "henyey_greenstein", "cornette_shanks", "henyey_greenstein_draine", "tabulated"});
@@ -76,8 +91,10 @@ PhaseFunction read_phase(Section section) {
         case 4: {
             TabulatedPhase p;
             p.angle_rad = section.numbers("angle_deg", any).value_or(std::vector<double>{});
-            for (double& angle : p.angle_rad) angle *= std::numbers::pi / 180;
             p.value = section.numbers("value", any).value_or(std::vector<double>{});
+            section.finish();
+            check_angles(section, p.angle_rad);
+            for (double& angle : p.angle_rad) angle *= std::numbers::pi / 180;
             phase = p;
             break;
         }

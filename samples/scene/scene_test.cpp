@@ -172,6 +172,17 @@ TEST_CASE("parse_scene: faults of the atmosphere point to their lines") {
     CHECK(contains(rejected(term + "profile = { kind = \"tabulated\" }"), "t.toml:3: atmosphere.term[0].profile"));
     CHECK(contains(rejected(term + "profile = { scale_height_m = 1 }"), "profile.kind: nothing is not allowed"));
     CHECK(contains(rejected(term + "phase = { kind = \"mie\" }"), "phase.kind: \"mie\" is not allowed; allowed: \"rayleigh\""));
+    const auto tabulated = [&](const std::string& angles) {
+        return rejected(term + "phase = { kind = \"tabulated\", value = [1, 1, 1], angle_deg = " + angles + " }");
+    };
+    CHECK(tabulated("[0, 90, 170]") ==
+          "t.toml:3: atmosphere.term[0].phase.angle_deg: 170 as element 2 is not allowed; allowed: 180, the last angle");
+    CHECK(contains(tabulated("[5, 90, 180]"), "phase.angle_deg: 5 as element 0 is not allowed; allowed: 0"));
+    CHECK(contains(tabulated("[0, 90, 90, 180]"), "phase.angle_deg: 90 as element 2 is not allowed; allowed: greater than 90"));
+    CHECK(
+        contains(tabulated("[0, 90, 181]"), "phase.angle_deg: 181 as element 2 is not allowed; allowed: 180, the last angle"));
+    CHECK(contains(tabulated("[0]"), "phase.angle_deg: 1 angles is not allowed; allowed: 2 to 4096"));
+    CHECK(contains(tabulated("[0, 180]"), "phase.value: 3 entries"));
     CHECK(contains(rejected(term + "phase = { kind = \"rayleigh\", g = 0.5 }"),
                    "phase.g: this key is not allowed; allowed: kind"));
     CHECK(contains(rejected(term + "phase = { kind = \"henyey_greenstein_draine\", droplet_diameter_um = 4 }"),

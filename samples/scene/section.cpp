@@ -167,7 +167,11 @@ std::vector<Section> Section::sections(std::string_view key) {
     for (const toml::node& element : *array) {
         auto impl = std::make_shared<Impl>(*impl_);
         impl->table = element.as_table();
-        impl->path.append(impl->path.empty() ? "" : ".").append(key).append("[" + std::to_string(result.size()) + "]");
+        impl->path.append(impl->path.empty() ? "" : ".")
+            .append(key)
+            .append("[")
+            .append(std::to_string(result.size()))
+            .append("]");
         impl->asked.clear();
         result.push_back(Section(std::move(impl)));
     }

@@ -44,15 +44,25 @@ double depth_value(const glm::dmat4& projection, double view_depth) {
     return (-projection[2][2] * view_depth + projection[3][2]) / (-projection[2][3] * view_depth + projection[3][3]);
 }
 
-/// The grid's slopes know nothing below its spacing: roughness for the light alone, fading with distance.
+/// Height of the roughness that the grid, which knows nothing below its spacing, leaves out: for the light alone, in [0, 1],
+/// 0.5 on average, fading with distance.
+double relief(glm::dvec2 place, double footprint_m) { return fractal_noise(place, 60, footprint_m, 7); }
+
 glm::dvec3 roughen(glm::dvec3 normal, glm::dvec2 place, double footprint_m) {
-    constexpr double coarsest_m = 60, strength = 10;  // metres of height
+    constexpr double strength = 10;  // metres of height
     const double delta = std::clamp(footprint_m, 0.25, 2.0);
-    const auto bump = [&](glm::dvec2 p) { return strength * fractal_noise(p, coarsest_m, footprint_m, 7); };
+    const auto bump = [&](glm::dvec2 p) { return strength * relief(p, footprint_m); };
     const double here = bump(place);
     const glm::dvec2 slope((bump(place + glm::dvec2(delta, 0)) - here) / delta,
                            (bump(place + glm::dvec2(0, delta)) - here) / delta);
     return glm::normalize(glm::dvec3(normal.x - slope.x * normal.z, normal.y - slope.y * normal.z, normal.z));
+}
+
+/// Of the sky's light, what reaches rough ground: less in a hollow of the relief than on a hump of it, and less between steep
+/// flanks. 1 where the relief has faded.
+double open_relief(glm::dvec2 place, const glm::dvec3& smooth_normal, const glm::dvec3& rough_normal, double footprint_m) {
+    const double cosine = glm::dot(smooth_normal, rough_normal), squared = cosine * cosine;
+    return (0.3 + 1.4 * relief(place, footprint_m)) * (0.1 + 0.9 * squared * squared);
 }
 
 struct Shading {
@@ -71,9 +81,11 @@ struct Shading {
         const double height = field.height(place);
         const glm::dvec3 point = caster.point_at(place, height);
         const glm::dvec3 smooth_normal = field.normal(place);
-        const glm::dvec3 normal = caster.to_world(point, roughen(smooth_normal, place, footprint_m));
+        const glm::dvec3 rough_normal = roughen(smooth_normal, place, footprint_m);
+        const glm::dvec3 normal = caster.to_world(point, rough_normal);
         const double between = std::clamp((height - light.low_m) / (light.high_m - light.low_m), 0.0, 1.0);
         const double open = field.open_sky(place);
+        const double in_relief = open_relief(place, smooth_normal, rough_normal, footprint_m);
 
         Rgb irradiance(0), on_the_flat(0);
         for (std::size_t s = 0; s < light.low.size(); ++s) {
@@ -82,7 +94,8 @@ struct Shading {
             const glm::dvec3 up = glm::normalize(point);
             const double cosine = glm::dot(normal, direction);
             const Rgb sun = glm::mix(low.sun, high.sun, between);
-            irradiance += open * glm::mix(sky_irradiance(low.sky, normal), sky_irradiance(high.sky, normal), between);
+            irradiance +=
+                open * in_relief * glm::mix(sky_irradiance(low.sky, normal), sky_irradiance(high.sky, normal), between);
             on_the_flat += glm::mix(sky_irradiance(low.sky, up), sky_irradiance(high.sky, up), between) +
                            sun * std::max(glm::dot(up, direction), 0.0);
             if (cosine > 0 && sun.r + sun.g + sun.b > 0 && !in_shadow(point, direction)) irradiance += sun * cosine;
@@ -122,12 +135,14 @@ Rgb natural_albedo(glm::dvec2 place, double height_m, const glm::dvec3& normal, 
     const double patches = fractal_noise(place, 420, footprint_m, 9);
     const double stands = fractal_noise(place + glm::dvec2(5000, 0), 1600, footprint_m, 10);
     const double crowns = fractal_noise(place, 13, footprint_m, 4);
+    const double tufts = 0.5 * fractal_noise(place - glm::dvec2(3000, 0), 90, footprint_m, 7) +
+                         0.5 * fractal_noise(place - glm::dvec2(7000, 0), 15, footprint_m, 4);
 
-    const Rgb fields = glm::mix(meadow, stubble, smooth(0.42, 0.62, patches));
+    const Rgb fields = glm::mix(meadow, stubble, smooth(0.42, 0.62, patches)) * (0.2 + 1.6 * tufts);
     const Rgb trees = forest * (0.75 + 0.5 * patches) * (0.55 + 0.9 * crowns);
     // Woods on slopes and heights, fields in the flat.
     const double wooded = smooth(0.006, 0.03, steepness + 0.04 * (stands - 0.5)) * 0.85 + 0.15 * smooth(400, 700, height_m);
-    const Rgb ground = glm::mix(fields, trees, smooth(0.3, 0.7, wooded + 0.6 * (stands - 0.5)));
+    const Rgb ground = glm::mix(fields, trees, smooth(0.3, 0.7, wooded + 0.6 * (stands - 0.5) + 1.6 * (tufts - 0.5)));
     return glm::mix(ground, rock * (0.7 + 0.6 * patches), smooth(0.16, 0.30, steepness + 0.08 * (patches - 0.5)));
 }
 

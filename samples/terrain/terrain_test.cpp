@@ -122,6 +122,25 @@ TEST_CASE("cast_terrain: shadows, and light between two heights") {
     CHECK(middle({0, 1, {}, {}, {}}) == 0);  // night
 }
 
+TEST_CASE("cast_terrain: level land under the sky alone is not smooth") {
+    const HeightField field(flat_map(0), 1);
+    const RayCaster caster(field, radius, {0, 0});
+    const auto spread = [&](const TerrainLook& look) {
+        const Camera down = aureole::look(radius, 800, 0, -pi / 2, 0.5, 1);
+        const TerrainPicture picture = cast_terrain(field, caster, down, light_of(Rgb(0), 1, {0, 0, 1}), look, 64, 64);
+        double sum = 0, squares = 0;
+        for (std::size_t i = 0; i < 64 * 64; ++i) {
+            const double green = picture.rgba[4 * i + 1];
+            sum += green;
+            squares += green * green;
+        }
+        const double mean = sum / (64 * 64);
+        return std::sqrt(squares / (64 * 64) - mean * mean) / mean;
+    };
+    CHECK(spread({Rgb(0.5), 1e6}) > 0.1);
+    CHECK(spread({std::nullopt, 1e6}) > 0.15);
+}
+
 TEST_CASE("natural_albedo: plausible everywhere") {
     for (double e = -3000; e < 3000; e += 171) {
         for (const double steep : {0.0, 0.3, 0.7, 1.2}) {

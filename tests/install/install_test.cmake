@@ -18,6 +18,11 @@ function(step)
 endfunction()
 
 step("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${WORK_DIR}/born")
+foreach(page LICENSE README.md docs/integration.md atmosphere/composite/composite.md)
+    if(NOT EXISTS "${WORK_DIR}/born/share/doc/aureole/${page}")
+        message(FATAL_ERROR "${page} is not installed")
+    endif()
+endforeach()
 file(RENAME "${WORK_DIR}/born" "${WORK_DIR}/prefix")
 function(build_and_run source build program)
     step("${CMAKE_COMMAND}" -G Ninja -S "${source}" -B "${build}" "-DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix"

@@ -57,6 +57,7 @@ public:
     std::uint64_t attempts = 0, created = 0, destroyed = 0;
     std::uint64_t last_used_frame = 0;  ///< Of the object destroyed last.
 
+    [[nodiscard]] const rhi::TextureDesc* find(rhi::Texture texture) const override { return inner_.find(texture); }
     [[nodiscard]] const rhi::Capabilities& capabilities() const override {
         return capabilities_ ? *capabilities_ : inner_.capabilities();
     }

@@ -99,7 +99,6 @@ void Harness::dispatch(Pipeline pipeline, BindingSet bindings, std::array<std::u
 void Harness::upload(Texture texture, const std::vector<std::byte>& packed) {
     const Buffer staging = buffer("upload for " + info(texture).desc.name, packed.size(), Usage::upload);
     device.write_buffer(staging, packed);
-    use(staging, State::copy_source);
     use(texture, State::copy_destination);
     list().copy(BufferToTexture{staging, texture});
 }

@@ -39,6 +39,7 @@ public:
     void use(rhi::Buffer buffer, rhi::State state);
     void dispatch(rhi::Pipeline pipeline, rhi::BindingSet bindings, std::array<std::uint32_t, 3> groups,
                   std::span<const std::byte> push_constants = {});
+    /// Without a barrier for the upload buffer, which no device may ask for.
     void upload(rhi::Texture texture, const std::vector<std::byte>& packed);
 
     /// Submits what was recorded and waits.

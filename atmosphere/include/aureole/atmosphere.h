@@ -1,12 +1,14 @@
 // The atmosphere module: owns its tables and records the passes that fill and use them into a host's command list.
 //
-//     Atmosphere air(device, presets::earth());         // tables of the planet: transmittance, multi-scatter
-//     View view(air, {.target_format = rgba16_float});  // tables of a camera: sky-view, aerial perspective, light; composite
-//     each frame:
+//     Atmosphere air(device, presets::earth());  // tables of the planet: transmittance, multi-scatter
+//     View view(air, {}, {.target_format = rhi::Format::rgba16_float});  // tables of a camera, and the composite
+//     view.prepare_composite(targets);           // once for each set of textures
+//     while (next_frame()) {
 //         view.update(camera, suns);
-//         air.record(commands);                         // nothing, unless the air has changed
-//         view.record(commands);                        // nothing, unless camera, suns or air have changed
+//         air.record(commands);                  // nothing, unless the air has changed
+//         view.record(commands);                 // nothing, unless camera, suns or air have changed
 //         view.record_composite(commands, targets);
+//     }
 //
 // Recording never allocates, submits, waits or throws. Constructors and set_* may allocate and throw aureole::Error, leaving
 // everything as it was. One thread at a time may use an Atmosphere and its views.
@@ -108,7 +110,7 @@ struct CompositeTargets {
     rhi::Texture target{};
     rhi::Texture directions{};  ///< Optional rgba32_float texture of the target's size: world directions (xyz) that replace the
                                 ///< camera's rays; for tools that probe single directions.
-    rhi::Extent extent{};       ///< Of the target.
+    rhi::Extent extent{};       ///< Of the target. Another size is rejected if the device knows its textures (Device::find).
 };
 
 /// A camera's own tables, and the pass that shows them.
@@ -120,7 +122,8 @@ public:
     View(const View&) = delete;
     View& operator=(const View&) = delete;
 
-    /// Takes the frame's camera and suns (at most max_suns; none: night). Throws and changes nothing if a value is rejected.
+    /// Takes the frame's camera and suns (at most max_suns; none: night). Throws and changes nothing if a value is rejected. A
+    /// camera that comes closer to the planet's centre than half its radius is told to the log, as a warning.
     void update(const Camera& camera, std::span<const Sun> suns);
 
     /// Replaces CompositeSettings::exposure. Finite, in [1e-30, 1e30].

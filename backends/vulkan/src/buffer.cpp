@@ -54,6 +54,9 @@ BufferObject::BufferObject(Context& context, const rhi::BufferDesc& desc) : cont
         throw;
     }
     context_.set_name(VK_OBJECT_TYPE_BUFFER, buffer_, desc_.name);
+    // Submitting makes the CPU's bytes visible: the first copy needs no barrier, but what comes after it may have to wait for
+    // it.
+    if (has(desc_.usage, rhi::Usage::upload)) last_access = access_of(rhi::State::copy_source, context_.graphics);
 }
 
 BufferObject::~BufferObject() { release(); }

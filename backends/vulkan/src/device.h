@@ -19,6 +19,8 @@ public:
     [[nodiscard]] const rhi::Capabilities& capabilities() const override { return capabilities_; }
     [[nodiscard]] rhi::FormatSupport format_support(rhi::Format format, rhi::Dimension dimension) const override;
 
+    [[nodiscard]] const rhi::TextureDesc* find(rhi::Texture texture) const override { return objects_.find(texture); }
+
     [[nodiscard]] rhi::Texture create_texture(const rhi::TextureDesc& desc) override;
     [[nodiscard]] rhi::Texture wrap_texture(const rhi::ExternalTexture& external) override;
     [[nodiscard]] rhi::Buffer create_buffer(const rhi::BufferDesc& desc) override;

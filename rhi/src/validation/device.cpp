@@ -69,7 +69,9 @@ Buffer WatchingDevice::create_buffer(const BufferDesc& desc) {
         check(desc);
         return inner_.create_buffer(desc);
     });
-    buffers.add(buffer, {desc, {}, 0});
+    Contents contents;
+    if (has(desc.usage, Usage::upload)) contents.state = State::copy_source;
+    buffers.add(buffer, {desc, contents, 0});
     return buffer;
 }
 

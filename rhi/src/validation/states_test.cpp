@@ -121,6 +121,19 @@ TEST_CASE("contents that were never written, or thrown away") {
     CHECK(r.messages.empty());
 }
 
+TEST_CASE("upload buffers start as sources of copies") {
+    Rig r;
+    r.begin();
+    r.device->write_buffer(r.upload, std::as_bytes(std::span(r.push)));
+    r.move(r.lake, State::undefined, State::copy_destination);
+    r.list->copy(BufferToTexture{r.upload, r.lake});
+    CHECK(r.messages.empty());
+    const Buffer unwritten = r.device->create_buffer({"unwritten", 8 * 8 * 8, Usage::upload});
+    r.move(r.lake, State::copy_destination, State::copy_destination);
+    r.list->copy(BufferToTexture{unwritten, r.lake});
+    r.check_reported({"buffer \"unwritten\"", "nothing has been written into it"});
+}
+
 TEST_CASE("barriers that name a wrong state are told once") {
     Rig r;
     r.prepare();

@@ -134,6 +134,13 @@ public:
     [[nodiscard]] virtual const Capabilities& capabilities() const = 0;
     [[nodiscard]] virtual FormatSupport format_support(Format format, Dimension dimension) const = 0;
 
+    /// What is known of a texture that lives, lent ones included. Null for others, and from a device that keeps no such record:
+    /// sizes that do not fit each other are then found out later, or by nobody.
+    [[nodiscard]] virtual const TextureDesc* find(Texture texture) const {
+        (void)texture;
+        return nullptr;
+    }
+
     [[nodiscard]] virtual Texture create_texture(const TextureDesc& desc) = 0;
     /// Lends a host's texture. `destroy` forgets it; the host's object stays.
     [[nodiscard]] virtual Texture wrap_texture(const ExternalTexture& external) = 0;

@@ -41,7 +41,7 @@ enum class Usage : std::uint32_t {
     copy_destination = 1u << 4,
     constants = 1u << 5,  ///< Buffer read as a uniform block.
     read_back = 1u << 6,  ///< Buffer whose bytes the CPU reads after the work has finished. Implies copy_destination.
-    upload = 1u << 7,     ///< Buffer whose bytes the CPU writes before the work starts. Implies copy_source.
+    upload = 1u << 7,     ///< Buffer whose bytes the CPU writes before the work starts. Implies copy_source, its first state.
 };
 [[nodiscard]] constexpr Usage operator|(Usage a, Usage b) noexcept {
     return static_cast<Usage>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));

@@ -11,9 +11,10 @@
 //
 // A command that could harm the device is reported and not passed on; one that is only ordered wrongly is passed on.
 // States are followed in the order of recording. Textures start in State::undefined (a host's texture: as it says), and so
-// do buffers; a barrier from `undefined` throws a texture's contents away, a buffer keeps its bytes. Upload buffers may be
-// copied from, and read_back buffers read by the CPU, without more. A frame is unfinished until Device::collect says that it is
-// complete, or, with a queue, until Queue::wait has returned.
+// do buffers, except upload buffers, which start in State::copy_source: what the CPU wrote before the work is submitted may be
+// copied from without a barrier. A barrier from `undefined` throws a texture's contents away, a buffer keeps its bytes. Once
+// copied into, and the work finished, read_back buffers may be read by the CPU without more. A frame is unfinished until
+// Device::collect says that it is complete, or, with a queue, until Queue::wait has returned.
 #pragma once
 
 #include <aureole/rhi/device.h>

@@ -55,6 +55,7 @@ ViewBlock for_froxels(ViewBlock block) {
     return block;
 }
 
+    check_enum("view.projection", settings.projection, Projection::fisheye, "matrix, panorama or fisheye");
 /// The block without what the light does not depend on: where the camera looks, and how the picture is shown.
 ViewBlock for_light(ViewBlock block) {
     block.composite = block.ray_origin = block.ray_x = block.ray_y = block.depth = glm::vec4(0);

@@ -205,8 +205,11 @@ TEST_CASE("view: refused cameras, suns and settings change nothing") {
     CHECK(detail::rejected_field([&] { View view(rig.air, {.aerial_perspective_distance_m = -1}); }) ==
           "view.aerial_perspective_distance_m");
     CHECK(detail::rejected_field([&] { View view(rig.air, {}, {.exposure = 0}); }) == "composite.exposure");
-    CHECK(detail::rejected_field([&] { View view(rig.air, {}, {.target_format = rhi::Format::d32_float}); }) ==
-          "composite.target_format");
+    for (const rhi::Format format : {rhi::Format::d32_float, rhi::Format::undefined, static_cast<rhi::Format>(99)})
+        CHECK(detail::rejected_field([&] { View view(rig.air, {}, {.target_format = format}); }) == "composite.target_format");
+    CHECK(detail::rejected_field([&] { View view(rig.air, {.projection = static_cast<Projection>(7)}); }) == "view.projection");
+    CHECK(detail::rejected_field([&] { View view(rig.air, {}, {.tone_map = static_cast<ToneMap>(2)}); }) ==
+          "composite.tone_map");
     CHECK(cpu->device().live() == live);
 }
 

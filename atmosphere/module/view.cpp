@@ -19,13 +19,20 @@ namespace aureole {
 namespace detail {
 namespace {
 
+ViewResources checked(const ViewResources& shared, const ViewSettings& settings) {
+    require_view(shared.objects.device(), shared.air.quality, shared.suns, shared.layers_per_sun(),
+                 settings.aerial_perspective);
+    return shared;
+}
+
 /// All device objects of a view that depend on the air.
 struct ViewTables {
     ViewTables(AirTables& air, const ViewSettings& settings, const CompositeSettings& composite_settings)
         : objects(air.objects.sibling()),
           block_buffer(objects->constants("view", sizeof(ViewBlock))),
-          shared{*objects,     air.shared,        air.transmittance.table(), air.multi_scatter.table(),
-                 block_buffer, settings.max_suns, settings.projection},
+          shared(checked({*objects, air.shared, air.transmittance.table(), air.multi_scatter.table(), block_buffer,
+                          settings.max_suns, settings.projection},
+                         settings)),
           sky_view(shared),
           aerial_perspective(shared, settings.aerial_perspective),
           light(shared, sky_view.table(), settings.light),

@@ -38,6 +38,13 @@ struct ViewTables {
           light(shared, sky_view.table(), settings.light),
           composite(shared, sky_view.table(), aerial_perspective.table(), settings.aerial_perspective, composite_settings) {}
 
+    void invalidate() noexcept {
+        forget(block_buffer);
+        sky_view.invalidate();
+        aerial_perspective.invalidate();
+        light.invalidate();
+    }
+
     std::unique_ptr<Objects> objects;
     TrackedBuffer block_buffer;
     ViewResources shared;
@@ -48,6 +55,7 @@ struct ViewTables {
 };
 
 void check_view(const ViewSettings& settings) {
+    check_enum("view.projection", settings.projection, Projection::fisheye, "matrix, panorama or fisheye");
     check("view.max_suns", settings.max_suns, 1, max_suns);
     check("view.aerial_perspective_distance_m", settings.aerial_perspective_distance_m, 1e-3, 1e13);
 }
@@ -62,7 +70,6 @@ ViewBlock for_froxels(ViewBlock block) {
     return block;
 }
 
-    check_enum("view.projection", settings.projection, Projection::fisheye, "matrix, panorama or fisheye");
 /// The block without what the light does not depend on: where the camera looks, and how the picture is shown.
 ViewBlock for_light(ViewBlock block) {
     block.composite = block.ray_origin = block.ray_x = block.ray_y = block.depth = glm::vec4(0);
@@ -101,6 +108,10 @@ struct View::Impl final : detail::AirUser {
     void abandon() noexcept override { pending.reset(); }
     void stale() noexcept { sky_stale = froxels_stale = light_stale = block_stale = true; }
 
+    void invalidate() noexcept override {
+        tables->invalidate();
+        stale();
+    }
     void refresh() override {
         if (updated) use(pack(camera, suns));
     }
@@ -180,6 +191,8 @@ void View::record(rhi::CommandList& commands, TimestampSlots timestamps) {
     if (impl.light_stale && tables.light.enabled()) tables.light.record(commands, impl.reports[2], timestamps, 2);
     impl.sky_stale = impl.froxels_stale = impl.light_stale = impl.block_stale = false;
 }
+
+void View::invalidate() noexcept { impl_->invalidate(); }
 
 void View::prepare_composite(const CompositeTargets& targets) { impl_->tables->composite.prepare(targets); }
 

@@ -155,25 +155,6 @@ TEST_CASE("multi-scatter: spread over frames it ends in the very same table, and
     if (const auto vulkan = open_vulkan()) check_spreading(*vulkan);
 }
 
-TEST_CASE("multi-scatter: a change while the solution is spread starts it anew") {
-    const auto cpu = open_cpu_float();
-    Setup setup;
-    setup.air = with_albedo(0.2);
-    AirRig rig(*cpu, setup);
-    rig.record_air();
-    rig.air.set_multi_scatter_passes_per_frame(1);
-    rig.air.set_parameters(with_albedo(0.9));
-    rig.record_air();
-    rig.record_air();
-    rig.air.set_parameters(with_albedo(0.5));
-    setup.air = with_albedo(0.5);
-    AirRig wanted(*cpu, setup);
-    const int passes = passes_at_once(wanted);
-    for (int frame = 0; frame < passes; ++frame) CHECK(rig.record_air().total() > 0);
-    CHECK(rig.record_air().total() == 0);
-    CHECK(rig.multi_scatter() == wanted.multi_scatter());
-}
-
 TEST_CASE("multi-scatter: refused numbers of passes change nothing") {
     const auto cpu = open_cpu_float();
     AirRig rig(*cpu, {});

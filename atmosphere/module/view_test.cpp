@@ -249,7 +249,8 @@ TEST_CASE("view: tables that the device cannot hold are refused by the setting t
     const View view(rig.air);
     AtmosphereParameters more = setup.air;
     for (const double g : {0.5, 0.6})
-        more.terms.push_back({.name = "smoke", .profile = {}, .scattering_per_m = Rgb(1e-6), .phase = HenyeyGreensteinPhase{g}});
+        more.terms.push_back(
+            {.name = "smoke", .profile = {}, .scattering_per_m = Rgb(1e-6), .phase = HenyeyGreensteinPhase{g}});
     const std::uint64_t with_view = cpu->device().live();
     try {
         rig.air.set_parameters(more);

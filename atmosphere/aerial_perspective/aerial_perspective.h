@@ -13,6 +13,11 @@ public:
     void record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
     /// Fills the stand-in, once.
     void prepare(rhi::CommandList& commands);
+    /// The froxels are lost, or their stand-in.
+    void invalidate() noexcept {
+        forget(table_);
+        forget(stand_in_);
+    }
     [[nodiscard]] bool enabled() const noexcept { return enabled_; }
     [[nodiscard]] TrackedTexture& table() noexcept { return table_; }
 

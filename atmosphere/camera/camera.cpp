@@ -35,20 +35,15 @@ void check_view(const glm::dmat4& view) {
         detail::reject("camera.view", "axes " + detail::print(worst) + " from orthonormal", "orthonormal within 0.001");
 }
 
-template <class Enum>
-void check_enum(const char* field, Enum value, int last, const char* allowed) {
-    const int number = static_cast<int>(value);
-    if (number < 0 || number > last) detail::reject(field, std::to_string(number), allowed);
-}
-
 }  // namespace
 
 void validate(const Camera& camera) {
     check_position(camera.position_m);
     check_view(camera.view);
-    check_enum("camera.kind", camera.kind, 2, "matrix, panorama or fisheye");
-    check_enum("camera.depth_range", camera.depth_range, 1, "zero_to_one or minus_one_to_one");
-    check_enum("camera.row_order", camera.row_order, 1, "top_first or bottom_first");
+    detail::check_enum("camera.kind", camera.kind, Projection::fisheye, "matrix, panorama or fisheye");
+    detail::check_enum("camera.depth_range", camera.depth_range, DepthRange::minus_one_to_one,
+                       "zero_to_one or minus_one_to_one");
+    detail::check_enum("camera.row_order", camera.row_order, RowOrder::bottom_first, "top_first or bottom_first");
     if (camera.kind == Projection::matrix) detail::check_projection(camera.projection);
 }
 

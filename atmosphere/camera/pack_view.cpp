@@ -19,25 +19,18 @@ using glm::dvec3, glm::dvec4;
 double length_of(const dvec3& v) { return std::hypot(v.x, v.y, v.z); }
 dvec3 unit(const dvec3& v) { return glm::normalize(v / length_of(v)); }
 
-/// Angle below the horizontal at which a sphere of radius `radius` is grazed from `height` above it, and its sine. From the
-/// tangent's length sqrt(h (2 R + h)): exact for a camera a centimetre up, where an arc cosine would find nothing.
-struct Dip {
-    double angle, sine;
-};
-Dip dip(double height, double radius) {
-    const double tangent = std::sqrt(height * (2 * radius + height));
-    return {std::atan2(tangent, radius), tangent / (radius + height)};
-}
+/// Angle below the horizontal at which a sphere of radius `radius` is grazed from `height` above it. From the tangent's length
+/// sqrt(h (2 R + h)): exact for a camera a centimetre up, where an arc cosine would find nothing.
+double dip(double height, double radius) { return std::atan2(std::sqrt(height * (2 * radius + height)), radius); }
 
 void pack_place(const Camera& camera, const Planet& planet, const dvec3& up, ExactView& view) {
     const double shell = planet.top_radius_m - planet.bottom_radius_m;
     const double altitude = std::max(length_of(camera.position_m) - planet.bottom_radius_m, 0.0);
     const bool above = altitude > shell;
     const double in_air = std::min(altitude, shell);
-    const Dip horizon = dip(in_air, planet.bottom_radius_m);
-    view.camera = {in_air * 1e-3, -horizon.sine + 0.0, horizon.angle, above ? 1 : 0};
-    const double top_dip = above ? dip(altitude - shell, planet.top_radius_m).angle : -std::numbers::pi / 2;
-    const double seen_dip = dip(altitude, planet.bottom_radius_m).angle;
+    view.camera = {in_air * 1e-3, 0, 0, above ? 1 : 0};
+    const double top_dip = above ? dip(altitude - shell, planet.top_radius_m) : -std::numbers::pi / 2;
+    const double seen_dip = dip(altitude, planet.bottom_radius_m);
     view.space = {altitude * 1e-3, top_dip, seen_dip, 0};
     const double upper = above ? seen_dip - top_dip : std::numbers::pi / 2 + seen_dip;
     const double lower = std::numbers::pi / 2 - seen_dip;
@@ -49,7 +42,6 @@ void pack_place(const Camera& camera, const Planet& planet, const dvec3& up, Exa
     east = glm::normalize(east - up * glm::dot(east, up));
     view.up = dvec4(up, 0);
     view.east = dvec4(east, 0);
-    view.north = dvec4(glm::cross(up, east), 0);
 }
 
 void pack_rays(const Camera& camera, const dvec3& up, ExactView& view) {
@@ -57,8 +49,6 @@ void pack_rays(const Camera& camera, const dvec3& up, ExactView& view) {
     view.ray_origin = dvec4(rays.origin, static_cast<double>(camera.kind));
     view.ray_x = dvec4(rays.along_x, 0);
     view.ray_y = dvec4(rays.along_y, 0);
-    const bool parallel = camera.kind == Projection::matrix && is_orthographic(camera.projection);
-    view.forward = dvec4(glm::normalize(-view_to_world(camera)[2]), parallel ? 1 : 0);
     view.depth = depth_coefficients(camera);
 }
 
@@ -130,7 +120,7 @@ ViewBlock pack_view(const Camera& camera, std::span<const Sun> suns, const Plane
     pack_suns(suns, up, view);
     const double distance = inputs.aerial_perspective_distance_m * 1e-3;
     view.froxels = {distance, 1 / distance, 0, 0};
-    view.composite = {inputs.exposure, static_cast<double>(inputs.frame & 0xffffu), far_depth(camera), 0};
+    view.composite = {inputs.exposure, 0, far_depth(camera), 0};
     return round_block<ViewBlock>(view);
 }
 

@@ -6,7 +6,6 @@
 #include <aureole/camera.h>
 #include <aureole/parameters.h>
 
-#include <cstdint>
 #include <span>
 
 namespace aureole::detail {
@@ -14,7 +13,6 @@ namespace aureole::detail {
 struct ViewInputs {
     double aerial_perspective_distance_m = 96000;  ///< Depth of the last slice. In [1e-3, 1e13].
     double exposure = 1;                           ///< Of the composite. In [1e-30, 1e30].
-    std::uint32_t frame = 0;                       ///< For the dither; only the lowest 16 bits matter.
 };
 
 /// Validates camera, suns and inputs (the planet must be valid), then packs. Suns are named "suns[1].irradiance.r".

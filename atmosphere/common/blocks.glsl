@@ -32,31 +32,28 @@ struct QuadratureBlock {
 
 // A camera, its suns, and what follows from them in double precision on the host.
 struct ViewBlock {
-    vec4 camera;        // x: altitude in the air, km (0 .. shell thickness); y: mu of the horizon there (<= 0); z: angle of the
-                        // horizon below the horizontal (dip), rad; w: 1 if the camera is above the atmosphere, else 0
+    vec4 camera;        // x: altitude in the air, km (0 .. shell thickness); y, z: unused; w: 1 if the camera is above the
+                        // atmosphere, else 0
     vec4 space;         // the camera above the atmosphere: x: its altitude, km; y: dip of the atmosphere's top seen from there,
                         // rad; z: dip of the ground's horizon seen from there, rad; w: unused. Inside: x as camera.x, y: -pi/2.
     vec4 horizon;       // x, y: cosine and sine of the dip of the ground's horizon (space.z); z, w: 1 / chord of the angle that the
                         // sky-view table spans above and below it (sky_view.glsl)
     vec4 up;            // unit vector from the planet's centre to the camera, world axes
-    vec4 east;          // any horizontal unit vector, world axes; up, east, north right-handed
-    vec4 north;
+    vec4 east;          // a horizontal unit vector, world axes: stands in where a direction has no azimuth
     // Rays of the target's point (x, y), each in [0, 1], from the first row's first corner; world axes, by kind:
-    //   matrix: direction = ray_origin + x ray_x + y ray_y. Perspective: not normalized, its component along `forward` is 1, so
-    //     that distance = view depth * length. Orthographic: the same unit vector everywhere.
+    //   matrix: direction = ray_origin + x ray_x + y ray_y. Perspective: not normalized, its component along the view axis is 1,
+    //     so that distance = view depth * length. Orthographic: the same unit vector everywhere.
     //   panorama, with a = (2 x - 1) pi and e = (1/2 - y) pi:
     //     direction = cos(e) (cos(a) ray_origin + sin(a) ray_x) + sin(e) ray_y.
     //   fisheye, with (p, q) in the inscribed unit circle, p along rows, q towards the first row, z = |(p, q)| pi/2:
     //     direction = sin(z) (p ray_x + q ray_origin) / |(p, q)| + cos(z) ray_y. Not mirrored: the sky as seen from below.
     //   The host has turned the vectors for either order of rows.
     vec4 ray_origin, ray_x, ray_y;  // ray_origin.w: kind: 0 matrix, 1 panorama, 2 fisheye
-    vec4 forward;       // unit vector of the view axis; w: 1 orthographic
-    vec4 depth;         // view depth along forward, km = (x * d + y) / (z * d + w), d in [0, 1]; +infinity where d tells nothing
+    vec4 depth;         // view depth along the view axis, km = (x * d + y) / (z * d + w), d in [0, 1]; +infinity where d tells nothing
     vec4 froxels;       // x: distance of the last slice, km; y: 1 / x; z, w: unused
     // By sun: what its layers of the tables are multiplied by so that twilight does not vanish in half floats, and the inverse.
     vec4 table_exposure, table_exposure_inverse;
-    vec4 composite;     // x: exposure; y: unused; z: stored depth of the far end, 0 or 1: where nothing was
-                        // drawn; w: unused
+    vec4 composite;     // x: exposure; y: unused; z: stored depth of the far end, 0 or 1: where nothing was drawn; w: unused
     // Suns. direction: world axes, w: cosine of the zenith angle at the camera (mu_s).
     vec4 sun_direction[MAX_SUNS];
     vec4 sun_azimuth[MAX_SUNS];     // unit horizontal vector towards the sun, world axes; w: sine of the zenith angle

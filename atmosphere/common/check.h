@@ -24,6 +24,12 @@ void check(std::string_view field, double value, double low, double high);
 /// The same for each of ".r", ".g", ".b" (or ".x", ".y", ".z").
 void check_rgb(const std::string& field, const Rgb& value, double low, double high);
 void check_xyz(const std::string& field, const glm::dvec3& value, double low, double high);
+/// Rejects a number that is none of the enumerators, which count from 0 to `last`.
+template <class Enum>
+void check_enum(std::string_view field, Enum value, Enum last, std::string_view allowed) {
+    const auto number = static_cast<int>(value);
+    if (number < 0 || number > static_cast<int>(last)) reject(field, std::to_string(number), allowed);
+}
 /// Number of entries of a list.
 void check_count(std::string_view field, std::size_t count, std::size_t low, std::size_t high);
 

@@ -74,6 +74,10 @@ private:
     std::vector<rhi::Specialization> values_;
 };
 
+/// What a list that never ran was to do to it has not been done: the next use starts from nothing.
+inline void forget(TrackedTexture& texture) noexcept { texture.state = rhi::State::undefined; }
+inline void forget(TrackedBuffer& buffer) noexcept { buffer.state = rhi::State::undefined; }
+
 /// One move of a barrier.
 struct Move {
     TrackedTexture* texture;
@@ -116,6 +120,7 @@ struct AirResources {
     TrackedBuffer& block;  ///< AtmosphereBlock
     TrackedTexture& profile_table;
     TrackedTexture& phase_table;
+    bool has_profiles;  ///< False: one texel stands in for the profile table.
     rhi::Sampler linear, nearest;
 };
 

@@ -19,8 +19,10 @@ bool same_targets(const CompositeTargets& a, const CompositeTargets& b) noexcept
 
 void validate(const CompositeSettings& settings) {
     check("composite.exposure", settings.exposure, 1e-30, 1e30);
+    check_enum("composite.target_format", settings.target_format, rhi::Format::d32_float, "a colour format");
     if (settings.target_format == rhi::Format::undefined || settings.target_format == rhi::Format::d32_float)
         reject("composite.target_format", rhi::to_string(settings.target_format), "a colour format");
+    check_enum("composite.tone_map", settings.tone_map, ToneMap::aces_fitted, "none or aces_fitted");
 }
 
 CompositePass::CompositePass(ViewResources& shared, TrackedTexture& sky_view, TrackedTexture& aerial_perspective,

@@ -11,6 +11,11 @@ public:
     LightPass(ViewResources& shared, TrackedTexture& sky_view, bool enabled);
 
     void record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
+    /// The table is lost, and all that it is made of.
+    void invalidate() noexcept {
+        forget(table_);
+        forget(quadrature_);
+    }
     [[nodiscard]] bool enabled() const noexcept { return enabled_; }
     [[nodiscard]] TrackedTexture& table() noexcept { return table_; }
 

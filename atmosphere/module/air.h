@@ -5,7 +5,8 @@
 #include "multi_scatter/multi_scatter.h"
 #include "transmittance/transmittance.h"
 
-#include <optional>
+#include <memory>
+#include <vector>
 
 namespace aureole::detail {
 
@@ -15,10 +16,13 @@ public:
     AirTables(rhi::Device& device, const std::uint64_t& frame, const AtmosphereParameters& parameters,
               const PackedAtmosphere& packed, const QualitySettings& quality);
 
-    /// New numbers for the same structure.
-    void set_block(const AtmosphereParameters& parameters, const PackedAtmosphere& packed);
+    /// New numbers for the same structure. May throw where the air has tables, and then nothing has changed.
+    void set_numbers(const AtmosphereParameters& parameters, const PackedAtmosphere& packed);
     /// Whether these parameters fit the objects at hand.
     [[nodiscard]] bool fits(const PackedAtmosphere& packed) const;
+    /// Everything on the device is lost: recorded anew by the next record().
+    void invalidate() noexcept;
+    [[nodiscard]] std::uint64_t texture_bytes() const noexcept { return objects.texture_bytes() + multi_scatter.copy_bytes(); }
 
     void record(rhi::CommandList& commands, int passes_per_frame, std::span<PassReport> reports, TimestampSlots timestamps);
 
@@ -28,14 +32,22 @@ public:
     AtmosphereBlock block;
     TrackedBuffer block_buffer;
     TrackedTexture profile_table, phase_table;
-    TrackedBuffer profile_upload, phase_upload;
     AirResources shared;
     TransmittancePass transmittance;
     MultiScatterPass multi_scatter;
     std::uint64_t version = 1;  ///< Grows whenever a table's contents change.
 
 private:
-    void record_uploads(rhi::CommandList& commands);
+    /// A table of the user's on its way to the device. Another one has another buffer: the old one may still be read from.
+    struct Upload {
+        std::vector<float> texels;
+        std::unique_ptr<Objects> objects;
+        TrackedBuffer buffer;
+    };
+    [[nodiscard]] Upload make_upload(const char* name, const std::vector<float>& texels) const;
+    void record_upload(rhi::CommandList& commands, Upload& upload, TrackedTexture& texture);
+
+    Upload profile_upload_, phase_upload_;
     bool block_changed_ = true;
     bool transmittance_stale_ = true;
 };
@@ -51,6 +63,8 @@ public:
     virtual void abandon() noexcept = 0;
     /// The planet may have changed; what follows from it and the camera is computed anew.
     virtual void refresh() = 0;
+    /// Everything on the device is lost.
+    virtual void invalidate() noexcept = 0;
 };
 
 }  // namespace aureole::detail

@@ -10,7 +10,7 @@ namespace aureole {
 namespace detail {
 namespace {
 
-constexpr rhi::Usage uploaded = rhi::Usage::sampled | rhi::Usage::copy_destination;
+constexpr rhi::Usage uploaded = rhi::Usage::sampled | rhi::Usage::copy_destination | rhi::Usage::copy_source;
 
 /// A table of the host's, or one texel that stands in for it.
 rhi::TextureDesc table_desc(const char* name, int rows) {
@@ -41,47 +41,73 @@ AirTables::AirTables(rhi::Device& device, const std::uint64_t& frame, const Atmo
       block_buffer(objects.constants("atmosphere", sizeof block)),
       profile_table(objects.texture(table_desc("profiles", packed.profile_rows))),
       phase_table(objects.texture(table_desc("phases", packed.phase_rows))),
-      profile_upload(objects.upload("profiles upload", texels_or_zero(packed.profile_table))),
-      phase_upload(objects.upload("phases upload", texels_or_zero(packed.phase_table))),
       shared{objects,
              structure,
              quality,
              block_buffer,
              profile_table,
              phase_table,
+             packed.profile_rows > 0,
              objects.sampler(rhi::Filter::linear),
              objects.sampler(rhi::Filter::nearest)},
       transmittance(shared),
-      multi_scatter(shared, transmittance.table(), order_ratio(parameters)) {}
+      multi_scatter(shared, transmittance.table(), order_ratio(parameters)),
+      profile_upload_(make_upload("profiles upload", packed.profile_table)),
+      phase_upload_(make_upload("phases upload", packed.phase_table)) {}
+
+AirTables::Upload AirTables::make_upload(const char* name, const std::vector<float>& texels) const {
+    Upload upload{texels, objects.sibling(), {}};
+    upload.buffer = upload.objects->upload(name, texels_or_zero(texels));
+    return upload;
+}
 
 bool AirTables::fits(const PackedAtmosphere& packed) const {
-    // Tables of the host's are uploaded once, when they are made.
-    return static_cast<const AirStructure&>(packed) == structure && packed.profile_rows == 0 && packed.phase_rows == 0;
+    return static_cast<const AirStructure&>(packed) == structure &&
+           packed.profile_table.size() == profile_upload_.texels.size() &&
+           packed.phase_table.size() == phase_upload_.texels.size();
 }
 
-void AirTables::set_block(const AtmosphereParameters& parameters, const PackedAtmosphere& packed) {
-    block = block_of(parameters, packed, quality.sampling);
+void AirTables::set_numbers(const AtmosphereParameters& parameters, const PackedAtmosphere& packed) {
+    const bool other_profiles = packed.profile_table != profile_upload_.texels;
+    const bool other_phases = packed.phase_table != phase_upload_.texels;
+    Upload profiles, phases;
+    if (other_profiles) profiles = make_upload("profiles upload", packed.profile_table);
+    if (other_phases) phases = make_upload("phases upload", packed.phase_table);
+    const AtmosphereBlock fresh = block_of(parameters, packed, quality.sampling);
+    const double ratio = order_ratio(parameters);
+    // Nothing throws from here on.
+    if (other_profiles) profile_upload_ = std::move(profiles);
+    if (other_phases) phase_upload_ = std::move(phases);
+    const bool same_axes = fresh.radii == block.radii && fresh.sun_mapping == block.sun_mapping;
+    block = fresh;
     block_changed_ = true;
     transmittance_stale_ = true;
-    multi_scatter.restart(order_ratio(parameters));
+    multi_scatter.restart(ratio, same_axes);
 }
 
-void AirTables::record_uploads(rhi::CommandList& commands) {
-    for (auto [texture, buffer] : {std::pair(&profile_table, &profile_upload), std::pair(&phase_table, &phase_upload)}) {
-        if (texture->state != rhi::State::undefined) continue;
-        const rhi::BufferBarrier readable{buffer->handle, buffer->state, rhi::State::copy_source};
-        commands.barrier({}, std::span(&readable, 1));
-        buffer->state = rhi::State::copy_source;
-        move(commands, {{texture, rhi::State::copy_destination}});
-        commands.copy(rhi::BufferToTexture{buffer->handle, texture->handle});
-        move(commands, {{texture, rhi::State::sampled}});
-    }
+void AirTables::invalidate() noexcept {
+    for (TrackedTexture* table : {&profile_table, &phase_table}) forget(*table);
+    for (TrackedBuffer* buffer : {&block_buffer, &profile_upload_.buffer, &phase_upload_.buffer}) forget(*buffer);
+    block_changed_ = transmittance_stale_ = true;
+    transmittance.invalidate();
+    multi_scatter.invalidate();
+}
+
+void AirTables::record_upload(rhi::CommandList& commands, Upload& upload, TrackedTexture& texture) {
+    if (upload.buffer.state != rhi::State::undefined) return;  // it has been copied from
+    const rhi::BufferBarrier readable{upload.buffer.handle, upload.buffer.state, rhi::State::copy_source};
+    commands.barrier({}, std::span(&readable, 1));
+    upload.buffer.state = rhi::State::copy_source;
+    move(commands, {{&texture, rhi::State::copy_destination}});
+    commands.copy(rhi::BufferToTexture{upload.buffer.handle, texture.handle});
+    move(commands, {{&texture, rhi::State::sampled}});
 }
 
 void AirTables::record(rhi::CommandList& commands, int passes_per_frame, std::span<PassReport> reports,
                        TimestampSlots timestamps) {
     for (PassReport& report : reports) report.recorded = false;
-    record_uploads(commands);
+    record_upload(commands, profile_upload_, profile_table);
+    record_upload(commands, phase_upload_, phase_table);
     if (block_changed_) update_block(commands, block_buffer, block);
     block_changed_ = false;
     if (transmittance_stale_) {
@@ -89,12 +115,8 @@ void AirTables::record(rhi::CommandList& commands, int passes_per_frame, std::sp
         transmittance_stale_ = false;
         ++version;
     }
-    if (!multi_scatter.finished()) {
-        // The first solution is needed whole: there is no older table to show meanwhile.
-        const bool at_once = multi_scatter.table().state == rhi::State::undefined;
-        multi_scatter.record(commands, at_once ? 0 : passes_per_frame, reports[1], timestamps, 1);
-        if (multi_scatter.finished()) ++version;
-    }
+    if (!multi_scatter.finished() && multi_scatter.record(commands, block, passes_per_frame, reports[1], timestamps, 1))
+        ++version;
 }
 
 }  // namespace detail
@@ -119,13 +141,14 @@ void Atmosphere::set_parameters(const AtmosphereParameters& parameters) {
     const detail::PackedAtmosphere packed = detail::pack_atmosphere(parameters);
     AtmosphereParameters copy = parameters;
     if (impl.tables->fits(packed)) {
-        impl.tables->set_block(copy, packed);
+        impl.tables->set_numbers(copy, packed);
         impl.parameters = std::move(copy);
         for (detail::AirUser* user : impl.users) user->refresh();
         return;
     }
     // Everything new is made before anything old is given up, so that a failure changes nothing.
     auto tables = std::make_unique<detail::AirTables>(impl.device, impl.frame, copy, packed, impl.quality);
+    tables->multi_scatter.keep_copy(impl.passes_per_frame > 0);
     try {
         for (detail::AirUser* user : impl.users) user->prepare(*tables);
     } catch (...) {
@@ -144,7 +167,12 @@ const QualitySettings& Atmosphere::quality() const noexcept { return impl_->qual
 
 void Atmosphere::set_multi_scatter_passes_per_frame(int passes) {
     detail::check("multi_scatter_passes_per_frame", passes, 0, 64);
+    impl_->tables->multi_scatter.keep_copy(passes > 0);
     impl_->passes_per_frame = passes;
+}
+void Atmosphere::invalidate() noexcept {
+    impl_->tables->invalidate();
+    for (detail::AirUser* user : impl_->users) user->invalidate();
 }
 void Atmosphere::set_frame(std::uint64_t frame) noexcept { impl_->frame = frame; }
 
@@ -156,6 +184,6 @@ std::span<const PassReport> Atmosphere::reports() const noexcept { return impl_-
 rhi::Device& Atmosphere::device() const noexcept { return impl_->device; }
 rhi::Texture Atmosphere::transmittance_table() const noexcept { return impl_->tables->transmittance.table().handle; }
 rhi::Texture Atmosphere::multi_scatter_table() const noexcept { return impl_->tables->multi_scatter.table().handle; }
-std::uint64_t Atmosphere::table_bytes() const noexcept { return impl_->tables->objects.texture_bytes(); }
+std::uint64_t Atmosphere::table_bytes() const noexcept { return impl_->tables->texture_bytes(); }
 
 }  // namespace aureole

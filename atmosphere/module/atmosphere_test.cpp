@@ -235,7 +235,7 @@ TEST_CASE("atmosphere: a change that fails half-way leaves tables, views and pre
         CHECK(rig.record_view(camera_at(setup.air.planet, 10), sun_at(30)).total() == 0);
     }
     device.fail_after(std::nullopt);
-    CHECK(failures > 60);
+    CHECK(failures > 50);  // about as many objects as there are
     CHECK(rig.air.parameters() == smoky());
     rig.record_air();
     cpu->run([&](rhi::CommandList& commands) { rig.view.record(commands); });

@@ -50,6 +50,22 @@ void require_device(const rhi::Device& device, const QualitySettings& quality) {
         std::max({quality.aerial_perspective.width, quality.aerial_perspective.height, quality.aerial_perspective.depth}));
 }
 
+void require_view(const rhi::Device& device, const QualitySettings& quality, std::uint32_t suns, std::uint32_t layers_per_sun,
+                  bool froxels) {
+    const std::uint32_t layers = suns * layers_per_sun + 1;
+    const auto require_rows = [&](const char* field, std::uint32_t height, const char* limit_name, std::uint32_t limit) {
+        if (std::uint64_t{height} * layers <= limit) return;
+        missing(field, std::to_string(height) + " with view.max_suns " + std::to_string(suns),
+                "at most " + std::to_string(limit / layers) + " (" + limit_name + " " + std::to_string(limit) + ", shared by " +
+                    std::to_string(layers) + " layers), or fewer suns");
+    };
+    const rhi::Capabilities& capabilities = device.capabilities();
+    require_rows("sky_view.height", quality.sky_view.height, "device.max_texture_2d", capabilities.max_texture_2d);
+    if (froxels)
+        require_rows("aerial_perspective.height", quality.aerial_perspective.height, "device.max_texture_3d",
+                     capabilities.max_texture_3d);
+}
+
 void require_target(const rhi::Device& device, const CompositeSettings& settings) {
     const rhi::FormatSupport support = device.format_support(settings.target_format, rhi::Dimension::d2);
     const std::string what = std::string("device format ") + rhi::to_string(settings.target_format);

@@ -7,6 +7,10 @@ namespace aureole::detail {
 
 /// Throws Error(unsupported) naming the format, feature or limit that is missing.
 void require_device(const rhi::Device& device, const QualitySettings& quality);
+/// The view's tables stack the layers of all suns: the same, naming the setting that makes them too high. `froxels` false:
+/// there is no aerial perspective.
+void require_view(const rhi::Device& device, const QualitySettings& quality, std::uint32_t suns, std::uint32_t layers_per_sun,
+                  bool froxels);
 void require_target(const rhi::Device& device, const CompositeSettings& settings);
 
 }  // namespace aureole::detail

@@ -19,17 +19,31 @@ namespace aureole {
 namespace detail {
 namespace {
 
+ViewResources checked(const ViewResources& shared, const ViewSettings& settings) {
+    require_view(shared.objects.device(), shared.air.quality, shared.suns, shared.layers_per_sun(),
+                 settings.aerial_perspective);
+    return shared;
+}
+
 /// All device objects of a view that depend on the air.
 struct ViewTables {
     ViewTables(AirTables& air, const ViewSettings& settings, const CompositeSettings& composite_settings)
         : objects(air.objects.sibling()),
           block_buffer(objects->constants("view", sizeof(ViewBlock))),
-          shared{*objects,     air.shared,        air.transmittance.table(), air.multi_scatter.table(),
-                 block_buffer, settings.max_suns, settings.projection},
+          shared(checked({*objects, air.shared, air.transmittance.table(), air.multi_scatter.table(), block_buffer,
+                          settings.max_suns, settings.projection},
+                         settings)),
           sky_view(shared),
           aerial_perspective(shared, settings.aerial_perspective),
           light(shared, sky_view.table(), settings.light),
           composite(shared, sky_view.table(), aerial_perspective.table(), settings.aerial_perspective, composite_settings) {}
+
+    void invalidate() noexcept {
+        forget(block_buffer);
+        sky_view.invalidate();
+        aerial_perspective.invalidate();
+        light.invalidate();
+    }
 
     std::unique_ptr<Objects> objects;
     TrackedBuffer block_buffer;
@@ -41,6 +55,7 @@ struct ViewTables {
 };
 
 void check_view(const ViewSettings& settings) {
+    check_enum("view.projection", settings.projection, Projection::fisheye, "matrix, panorama or fisheye");
     check("view.max_suns", settings.max_suns, 1, max_suns);
     check("view.aerial_perspective_distance_m", settings.aerial_perspective_distance_m, 1e-3, 1e13);
 }
@@ -57,7 +72,7 @@ ViewBlock for_froxels(ViewBlock block) {
 
 /// The block without what the light does not depend on: where the camera looks, and how the picture is shown.
 ViewBlock for_light(ViewBlock block) {
-    block.composite = block.ray_origin = block.ray_x = block.ray_y = block.forward = block.depth = glm::vec4(0);
+    block.composite = block.ray_origin = block.ray_x = block.ray_y = block.depth = glm::vec4(0);
     return block;
 }
 
@@ -93,6 +108,10 @@ struct View::Impl final : detail::AirUser {
     void abandon() noexcept override { pending.reset(); }
     void stale() noexcept { sky_stale = froxels_stale = light_stale = block_stale = true; }
 
+    void invalidate() noexcept override {
+        tables->invalidate();
+        stale();
+    }
     void refresh() override {
         if (updated) use(pack(camera, suns));
     }
@@ -184,6 +203,8 @@ void View::record(rhi::CommandList& commands, TimestampSlots timestamps) {
     if (impl.light_stale && tables.light.enabled()) tables.light.record(commands, impl.reports[2], timestamps, 2);
     impl.sky_stale = impl.froxels_stale = impl.light_stale = impl.block_stale = false;
 }
+
+void View::invalidate() noexcept { impl_->invalidate(); }
 
 void View::prepare_composite(const CompositeTargets& targets) { impl_->tables->composite.prepare(targets); }
 

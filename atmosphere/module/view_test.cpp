@@ -205,9 +205,61 @@ TEST_CASE("view: refused cameras, suns and settings change nothing") {
     CHECK(detail::rejected_field([&] { View view(rig.air, {.aerial_perspective_distance_m = -1}); }) ==
           "view.aerial_perspective_distance_m");
     CHECK(detail::rejected_field([&] { View view(rig.air, {}, {.exposure = 0}); }) == "composite.exposure");
-    CHECK(detail::rejected_field([&] { View view(rig.air, {}, {.target_format = rhi::Format::d32_float}); }) ==
-          "composite.target_format");
+    for (const rhi::Format format : {rhi::Format::d32_float, rhi::Format::undefined, static_cast<rhi::Format>(99)})
+        CHECK(detail::rejected_field([&] { View view(rig.air, {}, {.target_format = format}); }) == "composite.target_format");
+    CHECK(detail::rejected_field([&] { View view(rig.air, {.projection = static_cast<Projection>(7)}); }) == "view.projection");
+    CHECK(detail::rejected_field([&] { View view(rig.air, {}, {.tone_map = static_cast<ToneMap>(2)}); }) ==
+          "composite.tone_map");
     CHECK(cpu->device().live() == live);
+}
+
+TEST_CASE("view: tables that the device cannot hold are refused by the setting that makes them so high") {
+    const auto cpu = open_cpu_float();
+    Setup setup = setup_of();
+    setup.quality.sky_view.height = 1000;
+    setup.quality.aerial_perspective.height = 64;
+    AirRig rig(*cpu, setup);
+    rhi::Capabilities less = cpu->device().capabilities();
+    less.max_texture_2d = 4096;
+    less.max_texture_3d = 256;
+    cpu->device().pretend(less);
+    const std::uint64_t live = cpu->device().live();
+    const auto refused = [&](const ViewSettings& settings) -> std::string {
+        try {
+            View view(rig.air, settings);
+        } catch (const Error& error) {
+            CHECK(error.code() == ErrorCode::unsupported);
+            CHECK(cpu->device().live() == live);
+            return error.field() + ": " + error.value() + "; " + error.allowed();
+        }
+        return "nothing";
+    };
+    CHECK(refused({.max_suns = 1}) == "nothing");
+    CHECK(refused({.max_suns = 2}) ==
+          "sky_view.height: 1000 with view.max_suns 2; at most 819 (device.max_texture_2d 4096, shared by 5 layers), or fewer "
+          "suns");
+    less.max_texture_2d = 16384;
+    cpu->device().pretend(less);
+    CHECK(refused({.max_suns = 2}) ==
+          "aerial_perspective.height: 64 with view.max_suns 2; at most 51 (device.max_texture_3d 256, shared by 5 layers), or "
+          "fewer suns");
+    CHECK(refused({.max_suns = 2, .aerial_perspective = false}) == "nothing");
+
+    // The same for air that has more layers than before.
+    const View view(rig.air);
+    AtmosphereParameters more = setup.air;
+    for (const double g : {0.5, 0.6})
+        more.terms.push_back(
+            {.name = "smoke", .profile = {}, .scattering_per_m = Rgb(1e-6), .phase = HenyeyGreensteinPhase{g}});
+    const std::uint64_t with_view = cpu->device().live();
+    try {
+        rig.air.set_parameters(more);
+        CHECK_MESSAGE(false, "not refused");
+    } catch (const Error& error) {
+        CHECK(error.field() == "aerial_perspective.height");
+    }
+    CHECK(rig.air.parameters() == setup.air);
+    CHECK(cpu->device().live() == with_view);
 }
 
 TEST_CASE("view: recording too early says so and records nothing") {

@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace aureole::detail {
 namespace {
 
 constexpr rhi::Usage table_usage = rhi::Usage::sampled | rhi::Usage::storage;
+constexpr rhi::Usage copied_usage = rhi::Usage::sampled | rhi::Usage::copy_destination;
 
 /// Rays and sums are fetched texel by texel.
 constexpr rhi::Format moment_format = rhi::Format::rgba32_float;
@@ -51,25 +53,29 @@ glm::vec4 sun_mapping(const Planet& planet, Sampling sampling) {
 }
 
 MultiScatterPass::MultiScatterPass(AirResources& shared, TrackedTexture& transmittance, double ratio)
-    : published_(shared.quality.sampling == Sampling::published_2020), orders_(shared.quality.multi_scatter_orders) {
-    restart(ratio);
+    : shared_(shared),
+      transmittance_(transmittance),
+      published_(shared.quality.sampling == Sampling::published_2020),
+      ratio_(ratio) {
     table_ = shared.objects.texture({"multi_scatter", rhi::Dimension::d2, table_format(shared.objects.device()),
                                      table_extent(shared.quality), table_usage});
     if (published_)
-        create_published(shared, transmittance);
+        create_published();
     else
-        create_gauss(shared, transmittance);
+        create_gauss();
 }
 
-void MultiScatterPass::restart(double ratio) noexcept {
-    passes_ = published_ ? 1 : passes_for(ratio, orders_);
-    greatest_ratio_ = static_cast<float>(greatest_ratio(ratio));
-    next_ = 0;
+int MultiScatterPass::passes_wanted() const noexcept {
+    return published_ ? 1 : passes_for(ratio_, shared_.quality.multi_scatter_orders);
 }
 
-void MultiScatterPass::create_gauss(AirResources& shared, TrackedTexture& transmittance) {
-    Objects& objects = shared.objects;
-    const QualitySettings& quality = shared.quality;
+MultiScatterPass::Inputs MultiScatterPass::live() const {
+    return {shared_.block.handle, shared_.profile_table.handle, transmittance_.handle};
+}
+
+void MultiScatterPass::create_gauss() {
+    Objects& objects = shared_.objects;
+    const QualitySettings& quality = shared_.quality;
     const auto directions = static_cast<std::uint32_t>(2 * quality.multi_scatter_zenith * quality.multi_scatter_azimuth);
     const rhi::Extent ray_extent{quality.multi_scatter.width, quality.multi_scatter.height * directions, 1};
     rays_ = objects.texture({"multi_scatter rays", rhi::Dimension::d2, moment_format, ray_extent, table_usage});
@@ -84,7 +90,7 @@ void MultiScatterPass::create_gauss(AirResources& shared, TrackedTexture& transm
     zenith_quadrature_ = objects.constants("multi_scatter zenith quadrature", sizeof zenith_rule_);
 
     const auto rays_values = [&](bool first) {
-        return Specialize(shared.air)
+        return Specialize(shared_.air)
             .set(8, quality.multi_scatter_nodes)
             .set(9, quality.angular_order)
             .set(10, first)
@@ -95,73 +101,154 @@ void MultiScatterPass::create_gauss(AirResources& shared, TrackedTexture& transm
     };
     first_rays_ = objects.compute(shaders::multi_scatter_rays, rays_values(true).values());
     next_rays_ = objects.compute(shaders::multi_scatter_rays, rays_values(false).values());
-    moments_ = objects.compute(shaders::multi_scatter_moments, Specialize(shared.air)
+    moments_ = objects.compute(shaders::multi_scatter_moments, Specialize(shared_.air)
                                                                    .set(9, quality.angular_order)
                                                                    .set(12, quality.multi_scatter_zenith)
                                                                    .set(13, quality.multi_scatter_azimuth)
                                                                    .values());
+    live_ = bind_gauss(objects, live());
+}
 
-    const auto ray_set = [&](rhi::Pipeline pipeline, const TrackedTexture& source) {
+MultiScatterPass::Bindings MultiScatterPass::bind_gauss(Objects& objects, const Inputs& inputs) const {
+    const auto ray_set = [&](rhi::Pipeline pipeline, rhi::Texture source) {
         return objects.bindings("multi_scatter rays", pipeline,
-                                {{0, {}, {}, shared.block.handle},
+                                {{0, {}, {}, inputs.block},
                                  {1, {}, {}, ray_quadrature_.handle},
-                                 {2, shared.profile_table.handle, shared.nearest, {}},
-                                 {3, transmittance.handle, shared.linear, {}},
-                                 {4, source.handle, shared.linear, {}},
+                                 {2, inputs.profiles, shared_.nearest, {}},
+                                 {3, inputs.transmittance, shared_.linear, {}},
+                                 {4, source, shared_.linear, {}},
                                  {5, {}, {}, zenith_quadrature_.handle},
                                  {6, rays_.handle, {}, {}}});
     };
-    // The first pass has no source; any table that is readable stands in its slot.
-    first_rays_bindings_ = ray_set(first_rays_, transmittance);
     const auto moment_set = [&](const TrackedTexture& order, const TrackedTexture& sum, const TrackedTexture& order_out,
                                 const TrackedTexture& sum_out) {
         return objects.bindings("multi_scatter moments", moments_,
-                                {{0, {}, {}, shared.block.handle},
+                                {{0, {}, {}, inputs.block},
                                  {1, {}, {}, zenith_quadrature_.handle},
-                                 {2, rays_.handle, shared.nearest, {}},
-                                 {3, order.handle, shared.nearest, {}},
-                                 {4, sum.handle, shared.nearest, {}},
+                                 {2, rays_.handle, shared_.nearest, {}},
+                                 {3, order.handle, shared_.nearest, {}},
+                                 {4, sum.handle, shared_.nearest, {}},
                                  {5, order_out.handle, {}, {}},
                                  {6, sum_out.handle, {}, {}}});
     };
+    Bindings sets;
+    // The first pass has no source; any table that is readable stands in its slots.
+    sets.first_rays = ray_set(first_rays_, inputs.transmittance);
+    sets.first_moments = moment_set(rays_, rays_, order_[0], sum_[0]);
     for (int i = 0; i < 2; ++i) {
-        next_rays_bindings_[i] = ray_set(next_rays_, order_[i]);
-        first_moments_bindings_[i] = moment_set(rays_, rays_, order_[0], i == 1 ? table_ : sum_[0]);
+        sets.next_rays[i] = ray_set(next_rays_, order_[i].handle);
         for (int last = 0; last < 2; ++last)
-            moments_bindings_[last][i] = moment_set(order_[1 - i], sum_[1 - i], order_[i], last == 1 ? table_ : sum_[i]);
+            sets.moments[last][i] = moment_set(order_[1 - i], sum_[1 - i], order_[i], last == 1 ? table_ : sum_[i]);
     }
+    return sets;
 }
 
-void MultiScatterPass::create_published(AirResources& shared, TrackedTexture& transmittance) {
-    Objects& objects = shared.objects;
-    const QualitySettings& quality = shared.quality;
+void MultiScatterPass::create_published() {
+    Objects& objects = shared_.objects;
+    const QualitySettings& quality = shared_.quality;
     const std::uint32_t nodes = quality.multi_scatter.width * quality.multi_scatter.height;
     rays_ = objects.texture({"multi_scatter rays", rhi::Dimension::d2, moment_format, {64, 2 * nodes, 1}, table_usage});
-    first_rays_ = objects.compute(shaders::multi_scatter_rays_2020, Specialize(shared.air)
+    first_rays_ = objects.compute(shaders::multi_scatter_rays_2020, Specialize(shared_.air)
                                                                         .set(8, quality.multi_scatter_nodes)
                                                                         .set(9, 0)
                                                                         .set(15, static_cast<int>(quality.multi_scatter.width))
                                                                         .values());
-    moments_ = objects.compute(shaders::multi_scatter_2020, Specialize(shared.air).set(9, 0).values());
-    first_rays_bindings_ = objects.bindings("multi_scatter rays", first_rays_,
-                                            {{0, {}, {}, shared.block.handle},
-                                             {2, shared.profile_table.handle, shared.nearest, {}},
-                                             {3, transmittance.handle, shared.linear, {}},
-                                             {6, rays_.handle, {}, {}}});
-    first_moments_bindings_[0] =
-        objects.bindings("multi_scatter", moments_,
-                         {{0, {}, {}, shared.block.handle}, {2, rays_.handle, shared.nearest, {}}, {6, table_.handle, {}, {}}});
+    moments_ = objects.compute(shaders::multi_scatter_2020, Specialize(shared_.air).set(9, 0).values());
+    live_ = bind_published(live());
 }
 
-void MultiScatterPass::record(rhi::CommandList& commands, int passes, PassReport& report, TimestampSlots timestamps,
-                              std::uint32_t index) {
+MultiScatterPass::Bindings MultiScatterPass::bind_published(const Inputs& inputs) const {
+    Bindings sets;
+    sets.first_rays = shared_.objects.bindings("multi_scatter rays", first_rays_,
+                                               {{0, {}, {}, inputs.block},
+                                                {2, inputs.profiles, shared_.nearest, {}},
+                                                {3, inputs.transmittance, shared_.linear, {}},
+                                                {6, rays_.handle, {}, {}}});
+    sets.first_moments = shared_.objects.bindings(
+        "multi_scatter", moments_,
+        {{0, {}, {}, inputs.block}, {2, rays_.handle, shared_.nearest, {}}, {6, table_.handle, {}, {}}});
+    return sets;
+}
+
+void MultiScatterPass::keep_copy(bool wanted) {
+    if (wanted && !copy_ && !published_) {  // the published table takes one pass: there is nothing to spread
+        auto copy = std::make_unique<Copy>();
+        copy->objects = shared_.objects.sibling();
+        copy->block = copy->objects->constants("multi_scatter air", sizeof(AtmosphereBlock));
+        Inputs inputs{copy->block.handle, shared_.profile_table.handle, {}};
+        const QualitySettings& quality = shared_.quality;
+        copy->transmittance = copy->objects->texture(
+            {"multi_scatter transmittance", rhi::Dimension::d2, quality.table_format, quality.transmittance, copied_usage});
+        inputs.transmittance = copy->transmittance.handle;
+        if (shared_.has_profiles) {
+            copy->profiles = copy->objects->texture({"multi_scatter profiles", rhi::Dimension::d2, rhi::Format::r32_float,
+                                                     shared_.profile_table.extent, copied_usage});
+            inputs.profiles = copy->profiles.handle;
+        }
+        copy->bindings = bind_gauss(*copy->objects, inputs);
+        copy_ = std::move(copy);
+    }
+    if (wanted || !copy_) return;
+    if (reads_ == &copy_->bindings) {
+        if (next_ < passes_) stale_ = true;
+        reads_ = &live_;
+        passes_ = next_ = 0;
+    }
+    copy_.reset();
+}
+
+void MultiScatterPass::restart(double ratio, bool same_axes) noexcept {
+    ratio_ = ratio;
+    stale_ = true;
+    table_fits_ = table_fits_ && same_axes;
+}
+
+void MultiScatterPass::invalidate() noexcept {
+    for (TrackedTexture* texture : {&table_, &rays_, &order_[0], &order_[1], &sum_[0], &sum_[1]}) forget(*texture);
+    forget(ray_quadrature_);
+    forget(zenith_quadrature_);
+    if (copy_) {
+        forget(copy_->block);
+        forget(copy_->profiles);
+        forget(copy_->transmittance);
+    }
+    stale_ = true;
+    table_fits_ = false;
+    passes_ = next_ = 0;
+}
+
+void MultiScatterPass::fill_copy(rhi::CommandList& commands, const AtmosphereBlock& block) {
+    update_block(commands, copy_->block, block);
+    for (auto [from, to] :
+         {std::pair(&transmittance_, &copy_->transmittance), std::pair(&shared_.profile_table, &copy_->profiles)}) {
+        if (!to->handle) continue;
+        move(commands, {{from, rhi::State::copy_source}, {to, rhi::State::copy_destination}});
+        commands.copy(rhi::TextureToTexture{from->handle, to->handle});
+        move(commands, {{from, rhi::State::sampled}, {to, rhi::State::sampled}});
+    }
+}
+
+void MultiScatterPass::start(rhi::CommandList& commands, const AtmosphereBlock& block, bool from_copy) {
+    passes_ = passes_wanted();
+    greatest_ratio_ = static_cast<float>(greatest_ratio(ratio_));
+    next_ = 0;
+    stale_ = false;
+    reads_ = from_copy ? &copy_->bindings : &live_;
+    if (from_copy) fill_copy(commands, block);
+}
+
+bool MultiScatterPass::record(rhi::CommandList& commands, const AtmosphereBlock& block, int passes, PassReport& report,
+                              TimestampSlots timestamps, std::uint32_t index) {
     if (ray_quadrature_.handle && ray_quadrature_.state == rhi::State::undefined) {
         update_block(commands, ray_quadrature_, ray_rule_);
         update_block(commands, zenith_quadrature_, zenith_rule_);
     }
+    const bool at_once = passes <= 0 || !copy_ || !table_fits_;
+    const bool in_one_go = at_once || passes >= passes_wanted();
+    if (stale_ && (at_once || next_ >= passes_)) start(commands, block, !in_one_go);
     PassScope scope(commands, report, timestamps, index);
     report.bytes_written = 0;
-    const int end = passes <= 0 ? passes_ : std::min(passes_, next_ + passes);
+    const int end = at_once ? passes_ : std::min(passes_, next_ + passes);
     for (; next_ < end; ++next_) {
         if (published_)
             record_published(commands, scope);
@@ -169,31 +256,34 @@ void MultiScatterPass::record(rhi::CommandList& commands, int passes, PassReport
             record_gauss(commands, scope);
         report.bytes_written += rays_.bytes + (published_ ? table_.bytes : 2 * table_.bytes);
     }
+    if (next_ < passes_) return false;
+    table_fits_ = true;
+    return true;
 }
 
 void MultiScatterPass::record_gauss(rhi::CommandList& commands, PassScope& scope) {
     const bool first = next_ == 0;
-    const bool last = next_ + 1 == passes_;
+    const bool last = next_ + 1 == passes_;  // never the first: multi_scatter_orders is at least 2
     const int parity = next_ % 2;
     TrackedTexture& sum_out = last ? table_ : sum_[parity];
 
     move(commands, {{&rays_, rhi::State::storage_write}});
     scope.dispatch(shaders::multi_scatter_rays, first ? first_rays_ : next_rays_,
-                   first ? first_rays_bindings_ : next_rays_bindings_[1 - parity], rays_.extent);
+                   first ? reads_->first_rays : reads_->next_rays[1 - parity], rays_.extent);
     move(commands,
          {{&rays_, rhi::State::sampled}, {&order_[parity], rhi::State::storage_write}, {&sum_out, rhi::State::storage_write}});
     const glm::vec4 flags(first ? 1.0F : 0.0F, last ? 1.0F : 0.0F, greatest_ratio_, 0.0F);
     scope.dispatch(shaders::multi_scatter_moments, moments_,
-                   first ? first_moments_bindings_[last ? 1 : 0] : moments_bindings_[last ? 1 : 0][parity], table_.extent,
+                   first ? reads_->first_moments : reads_->moments[last ? 1 : 0][parity], table_.extent,
                    std::as_bytes(std::span(&flags, 1)));
     move(commands, {{&order_[parity], rhi::State::sampled}, {&sum_out, rhi::State::sampled}});
 }
 
 void MultiScatterPass::record_published(rhi::CommandList& commands, PassScope& scope) {
     move(commands, {{&rays_, rhi::State::storage_write}});
-    scope.dispatch(shaders::multi_scatter_rays_2020, first_rays_, first_rays_bindings_, {64, rays_.extent.height / 2, 1});
+    scope.dispatch(shaders::multi_scatter_rays_2020, first_rays_, reads_->first_rays, {64, rays_.extent.height / 2, 1});
     move(commands, {{&rays_, rhi::State::sampled}, {&table_, rhi::State::storage_write}});
-    scope.dispatch(shaders::multi_scatter_2020, moments_, first_moments_bindings_[0], table_.extent);
+    scope.dispatch(shaders::multi_scatter_2020, moments_, reads_->first_moments, table_.extent);
     move(commands, {{&table_, rhi::State::sampled}});
 }
 

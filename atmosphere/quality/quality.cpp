@@ -48,8 +48,7 @@ void check_angular_order(const QualitySettings& s) {
 }  // namespace
 
 void validate(const QualitySettings& s) {
-    if (s.sampling != Sampling::gauss && s.sampling != Sampling::published_2020)
-        detail::reject("sampling", std::to_string(static_cast<int>(s.sampling)), "gauss or published_2020");
+    detail::check_enum("sampling", s.sampling, Sampling::published_2020, "gauss or published_2020");
     check_size_2d("transmittance", s.transmittance, 2, 4096);
     check_samples("transmittance_nodes", s.transmittance_nodes, s.sampling);
     check_size_2d("multi_scatter", s.multi_scatter, 2, 256);
@@ -57,8 +56,11 @@ void validate(const QualitySettings& s) {
     detail::check("multi_scatter_zenith", s.multi_scatter_zenith, 2, 16);
     detail::check("multi_scatter_azimuth", s.multi_scatter_azimuth, 2, 32);
     check_samples("multi_scatter_nodes", s.multi_scatter_nodes, s.sampling);
-    detail::check("multi_scatter_orders", s.multi_scatter_orders, 1, 64);
+    // The rest is extrapolated from the last two; the published sampling goes on from the first by itself.
+    detail::check("multi_scatter_orders", s.multi_scatter_orders, s.sampling == Sampling::gauss ? 2 : 1, 64);
     check_size_2d("sky_view", s.sky_view, 4, 4096);
+    if (s.sky_view.height % 2 != 0)
+        detail::reject("sky_view.height", std::to_string(s.sky_view.height), "an even number in [4, 4096]");
     check_samples("sky_view_nodes", s.sky_view_nodes, s.sampling);
     check_size("aerial_perspective", s.aerial_perspective, 2, 256);
     detail::check("aerial_perspective.depth", s.aerial_perspective.depth, 2, 256);

@@ -33,6 +33,11 @@ public:
     explicit SkyViewPass(ViewResources& shared);
 
     void record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
+    /// The table is lost, and all that it is made of.
+    void invalidate() noexcept {
+        forget(table_);
+        forget(quadrature_);
+    }
     [[nodiscard]] TrackedTexture& table() noexcept { return table_; }
 
 private:

@@ -11,7 +11,7 @@ TransmittancePass::TransmittancePass(AirResources& shared) {
     const QualitySettings& quality = shared.quality;
     const bool published = quality.sampling == Sampling::published_2020;
     table_ = objects.texture({"transmittance", rhi::Dimension::d2, quality.table_format, quality.transmittance,
-                              rhi::Usage::sampled | rhi::Usage::storage});
+                              rhi::Usage::sampled | rhi::Usage::storage | rhi::Usage::copy_source});
     shader_ = published ? &shaders::transmittance_2020 : &shaders::transmittance;
     pipeline_ = objects.compute(*shader_, Specialize(shared.air).set(8, quality.transmittance_nodes).values());
     const rhi::Binding air{0, {}, {}, shared.block.handle};

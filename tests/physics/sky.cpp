@@ -71,7 +71,7 @@ QualitySettings fine_single() {
     QualitySettings quality = fine();
     quality.multi_scatter = {4, 4, 1};
     quality.multi_scatter_zenith = quality.multi_scatter_azimuth = quality.multi_scatter_nodes = 2;
-    quality.multi_scatter_orders = 1;
+    quality.multi_scatter_orders = 2;
     return quality;
 }
 

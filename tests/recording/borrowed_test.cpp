@@ -116,6 +116,30 @@ public:
         return image;
     }
 
+    /// Records into a command buffer that is never submitted, as when the swapchain turns out to be out of date.
+    template <class Record>
+    void drop(const Record& record) {
+        VkCommandPoolCreateInfo pool_info = {};
+        pool_info.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
+        pool_info.queueFamilyIndex = host_.lend().queue_family;
+        VkCommandPool pool = VK_NULL_HANDLE;
+        REQUIRE(vkCreateCommandPool(host_.device(), &pool_info, nullptr, &pool) == VK_SUCCESS);
+        VkCommandBufferAllocateInfo info = {};
+        info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
+        info.commandPool = pool;
+        info.commandBufferCount = 1;
+        VkCommandBuffer commands = VK_NULL_HANDLE;
+        REQUIRE(vkAllocateCommandBuffers(host_.device(), &info, &commands) == VK_SUCCESS);
+        VkCommandBufferBeginInfo begin = {};
+        begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
+        REQUIRE(vkBeginCommandBuffer(commands, &begin) == VK_SUCCESS);
+        record(device_->begin_list(guest_->begin_recording(commands)));
+        device_->end_list();
+        guest_->end_recording();
+        REQUIRE(vkEndCommandBuffer(commands) == VK_SUCCESS);
+        vkDestroyCommandPool(host_.device(), pool, nullptr);
+    }
+
     CompositeTargets targets;
 
 private:
@@ -170,6 +194,31 @@ TEST_CASE("a host's command buffer, images and depth: the module shows in them w
         check_same(show(low, wall_m), expected(*cpu, setup, low, wall_m));
         CHECK(host.messages.joined() == "");
     }
+}
+
+TEST_CASE("a host's command buffer that is never submitted: once that is said, all is recorded anew") {
+    AUREOLE_NEEDS_VULKAN;
+    const auto cpu = open_cpu_float();
+    const Setup setup = setup_of(false);
+    Host host;
+    HostFrame frame(host, false);
+    Atmosphere air(frame.device(), setup.air, setup.quality);
+    View view(air, setup.view, setup.composite);
+    view.prepare_composite(frame.targets);
+    const auto record = [&](rhi::CommandList& commands) {
+        air.record(commands);
+        view.record(commands);
+        view.record_composite(commands, frame.targets);
+    };
+    for (const double altitude : {100.0, 12e3}) {  // before anything has been executed, and after
+        const Shot shot = shot_of(altitude);
+        view.update(shot.camera, std::span(&shot.sun, 1));
+        frame.drop(record);
+        air.invalidate();
+        check_same(frame.run(wall_m, record), expected(*cpu, setup, shot, wall_m));
+        check_same(frame.run(wall_m, record), expected(*cpu, setup, shot, wall_m));
+    }
+    CHECK(host.messages.joined() == "");
 }
 
 TEST_CASE("a host's command buffer: what has not changed leaves nothing in it") {

@@ -11,7 +11,9 @@
 //     }
 //
 // Recording never allocates, submits, waits or throws. Constructors and set_* may allocate and throw aureole::Error, leaving
-// everything as it was. One thread at a time may use an Atmosphere and its views.
+// everything as it was. One thread at a time may use an Atmosphere and its views. What is recorded counts as done, in the order
+// of recording: a host that drops a recording says so (invalidate). Errors: Error(invalid_argument) names field, value and
+// allowed range; where the device lacks something or fails, the code is another (error.h).
 #pragma once
 
 #include <aureole/camera.h>
@@ -31,21 +33,24 @@ namespace aureole {
 /// What one pass did in the latest recording: for benchmarks and for hosts that show their costs.
 struct PassReport {
     std::string_view name{};  ///< "transmittance", "multi_scatter", "sky_view", "aerial_perspective", "light", "composite".
-    bool recorded = false;    ///< False when nothing that it depends on had changed.
-    std::uint64_t invocations = 0;  ///< Shader invocations.
-    std::uint64_t bytes_written = 0;
+    bool recorded = false;    ///< False when nothing that it depends on had changed; then the rest is of an earlier one.
+    std::uint64_t invocations = 0;    ///< Shader invocations, those beyond the edges of tables left out.
+    std::uint64_t bytes_written = 0;  ///< To tables and targets, by their formats.
 };
 
-/// Optional timestamps: pass i writes slots first_slot + 2 i and first_slot + 2 i + 1, in the order of the reports.
+/// Optional timestamps: pass i of reports() that is recorded writes slots first + 2 i, before it, and first + 2 i + 1, after
+/// it. Atmosphere::record takes 4 slots from `first` on, View::record 6. View::record_composite writes as pass 3, so given the
+/// same `first` as View::record it goes on from there: 8 for both. A slot of Capabilities::timestamp_slots or beyond is not
+/// written, and the device's message callback says so.
 struct TimestampSlots {
-    bool enabled = false;
-    std::uint32_t first = 0;
+    bool enabled = false;     ///< False: none are written.
+    std::uint32_t first = 0;  ///< In [0, Capabilities::timestamp_slots - number of slots].
 };
 
 class Atmosphere {
 public:
     /// Creates pipelines and tables on `device`, which must outlive this object. Validates both arguments; throws
-    /// Error(unsupported) naming what the device lacks.
+    /// Error(unsupported) naming what the device lacks. Nothing is left behind then.
     Atmosphere(rhi::Device& device, const AtmosphereParameters& parameters,
                const QualitySettings& quality = QualitySettings::standard());
     ~Atmosphere();
@@ -53,26 +58,43 @@ public:
     Atmosphere& operator=(const Atmosphere&) = delete;
 
     /// New air or ground. Tables are rebuilt by the next record(), unless all is as it was. Throws and changes nothing if a
-    /// value is rejected.
+    /// value is rejected. Other numbers make no device object, but for an upload buffer where a tabulated profile or phase
+    /// function is another one; another structure (number or kinds of terms, which of them share a phase function) makes new
+    /// pipelines and tables, for all views too.
     void set_parameters(const AtmosphereParameters& parameters);
     [[nodiscard]] const AtmosphereParameters& parameters() const noexcept;
     [[nodiscard]] const QualitySettings& quality() const noexcept;
 
-    /// Passes of the multi-scatter fixed point recorded by each record() after a change: 0 solves at once (default), n spreads
-    /// the solution over frames, n passes each; the tables in use stay complete meanwhile.
+    /// Passes of the multi-scatter fixed point recorded by each record() after a change, in [0, 64], else
+    /// Error(invalid_argument): 0 solves at once (default), n spreads the solution over frames, n passes each; the table in use
+    /// stays complete meanwhile. A solution that has been started is finished for the air that it was started for, and shown;
+    /// the next one is for the air of that moment, so air that changes every frame is followed: what is shown is
+    /// less than two solutions' frames old. Solved at once all the same: the first solution, one after a change of the planet's
+    /// radii or of the structure, and published_2020 (one pass). n > 0 keeps a copy of what a solution reads: memory of one
+    /// more transmittance table, and of the tabulated profiles (table_bytes).
     void set_multi_scatter_passes_per_frame(int passes);
 
-    /// Frame number, in the host's counting, of the recording that follows: objects replaced by set_* die after it.
+    /// Frame number, in the host's counting, of the recording that follows: objects replaced by set_* die after it. Any number;
+    /// it must not fall. 0 before the first call.
     void set_frame(std::uint64_t frame) noexcept;
 
-    /// Records transmittance and multi-scatter if the air has changed. Tables are left in State::sampled.
+    /// The tables are lost, and those of all views of this atmosphere: a list that they were recorded into was never executed
+    /// (its submission failed, its image was out of date, it was reset or forgotten). The next record() of each records
+    /// everything anew, the multi-scatter solution at once; until then views have nothing to show. Lists that have been
+    /// submitted may still be running. Allocates nothing.
+    void invalidate() noexcept;
+
+    /// Records transmittance and multi-scatter if the air has changed. Tables are left in State::sampled. `commands` belongs to
+    /// the device of the constructor, outside of a render pass, and is executed before whatever reads the tables; if it never
+    /// is, call invalidate().
     void record(rhi::CommandList& commands, TimestampSlots timestamps = {});
+    /// Of the latest record(): transmittance, multi_scatter.
     [[nodiscard]] std::span<const PassReport> reports() const noexcept;
 
     [[nodiscard]] rhi::Device& device() const noexcept;
     [[nodiscard]] rhi::Texture transmittance_table() const noexcept;  ///< Optical depth to the top: see transmittance.glsl.
     [[nodiscard]] rhi::Texture multi_scatter_table() const noexcept;  ///< Moments: see multi_scatter.glsl.
-    [[nodiscard]] std::uint64_t table_bytes() const noexcept;         ///< Device memory of the tables.
+    [[nodiscard]] std::uint64_t table_bytes() const noexcept;         ///< Device memory of the tables, those at work included.
 
     struct Impl;
     [[nodiscard]] Impl& impl() const noexcept { return *impl_; }
@@ -81,73 +103,101 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-enum class ToneMap : std::uint8_t { none, aces_fitted };
-
-struct ViewSettings {
-    Projection projection = Projection::matrix;    ///< Of every camera that the view is given: kernels are made for it.
-    std::uint32_t max_suns = 1;                    ///< In [1, 4].
-    bool aerial_perspective = true;                ///< False: no froxels; the composite leaves geometry as it is.
-    double aerial_perspective_distance_m = 96000;  ///< Depth of the last slice. Finite, > 0.
-    bool light = true;                             ///< Sun colour and SH-L2 sky irradiance for the host's own lights.
+/// From exposed scene-linear light to what a display shows.
+enum class ToneMap : std::uint8_t {
+    none,         ///< As it is.
+    aces_fitted,  ///< Stephen Hill's fit of the ACES reference and output transforms (composite/display.glsl): in [0, 1].
 };
 
+/// What a View makes. A value out of range is Error(invalid_argument) from View's constructor.
+struct ViewSettings {
+    /// Of every camera that the view is given: kernels are made for it.
+    Projection projection = Projection::matrix;
+    /// Rows and layers of suns in the view's tables: the most suns that update takes. In [1, 4]; tables grow with it, and where
+    /// the device cannot hold them Error(unsupported) names sky_view.height or aerial_perspective.height of QualitySettings.
+    std::uint32_t max_suns = 1;
+    bool aerial_perspective = true;  ///< False: no froxels; the composite leaves geometry as it is.
+    /// Depth of the last slice of froxels, metres; geometry beyond it gets the air up to there. In [1e-3, 1e13].
+    double aerial_perspective_distance_m = 96000;
+    bool light = true;  ///< Sun colour and SH-L2 sky irradiance for the host's own lights (light_table).
+};
+
+/// How a View shows its tables. A value out of range is Error(invalid_argument) from View's constructor; a format that the
+/// device cannot write in the chosen way is Error(unsupported) there.
 struct CompositeSettings {
+    /// Of CompositeTargets::target: any colour format that the device can store to (compute) or draw to (raster).
     rhi::Format target_format = rhi::Format::rgba16_float;
     bool raster = false;       ///< Full-screen draw instead of compute.
     bool scene_color = false;  ///< The host gives its colour; without it geometry is black.
     bool scene_depth = false;  ///< The host gives its depth; without it every pixel is sky.
-    bool sun_disk = true;
-    double exposure = 1;  ///< Multiplies the result. Finite, > 0.
+    bool sun_disk = true;      ///< Draw the disks of suns with an angular radius, limb darkening and air included.
+    double exposure = 1;       ///< Multiplies the result, before the tone map. In [1e-30, 1e30].
     ToneMap tone_map = ToneMap::none;
     bool encode_srgb = false;  ///< Apply the sRGB curve (for rgba8_unorm targets).
     bool dither = false;       ///< Triangular noise of one 8-bit step, after everything else.
 };
 
 /// The host's textures for one composite. Colour and depth in State::sampled / depth_read; target in storage_write (compute) or
-/// color_attachment (raster). All are left in the state in which they came.
+/// color_attachment (raster). All are left in the state in which they came. A missing texture or an extent out of range is
+/// Error(invalid_argument) from View::prepare_composite; one of another format, usage or dimension is the device's error there.
 struct CompositeTargets {
-    rhi::Texture scene_color{}, scene_depth{};  ///< Of the target's size.
-    rhi::Texture target{};
-    rhi::Texture directions{};  ///< Optional rgba32_float texture of the target's size: world directions (xyz) that replace the
-                                ///< camera's rays; for tools that probe single directions.
-    rhi::Extent extent{};       ///< Of the target. Another size is rejected if the device knows its textures (Device::find).
+    rhi::Texture scene_color{};  ///< Scene-linear radiance in the suns' unit, not exposed; of the target's size. With
+                                 ///< CompositeSettings::scene_color, else ignored.
+    rhi::Texture scene_depth{};  ///< As Camera::projection stores it; of the target's size. With
+                                 ///< CompositeSettings::scene_depth, else ignored.
+    rhi::Texture target{};       ///< Every texel of it is written. Not scene_color.
+    /// Optional rgba32_float texture of the target's size, State::sampled: world directions (xyz, of any length) that replace
+    /// the camera's rays; for tools that probe single directions. A zero vector gives black.
+    rhi::Texture directions{};
+    rhi::Extent extent{};  ///< Of the target, texels. Width and height in [1, Capabilities::max_texture_2d]; depth is ignored.
+                           ///< Another size than the textures' is rejected if the device knows theirs (Device::find).
 };
 
 /// A camera's own tables, and the pass that shows them.
 class View {
 public:
-    /// `atmosphere` must outlive the view.
+    /// `atmosphere` must outlive the view. Makes pipelines and tables; nothing is left behind by an error.
     View(Atmosphere& atmosphere, const ViewSettings& settings = {}, const CompositeSettings& composite = {});
     ~View();
     View(const View&) = delete;
     View& operator=(const View&) = delete;
 
-    /// Takes the frame's camera and suns (at most max_suns; none: night). Throws and changes nothing if a value is rejected. A
-    /// camera that comes closer to the planet's centre than half its radius is told to the log, as a warning.
+    /// Takes the frame's camera (of the view's projection) and suns (at most max_suns; none: night). Throws and changes nothing
+    /// if a value is rejected. A camera that comes closer to the planet's centre than half its radius is told to the log, as a
+    /// warning.
     void update(const Camera& camera, std::span<const Sun> suns);
 
-    /// Replaces CompositeSettings::exposure. Finite, in [1e-30, 1e30].
+    /// Replaces CompositeSettings::exposure. In [1e-30, 1e30], else Error(invalid_argument).
     void set_exposure(double exposure);
 
     /// Records of sky-view, aerial perspective and light those that follow from what has changed in camera, suns and air:
-    /// turning the camera makes new froxels alone, a new exposure or nothing makes none.
+    /// turning the camera makes new froxels alone, a new exposure or nothing makes none. After update() and
+    /// Atmosphere::record; earlier, nothing is recorded and the log says so. As there, a list that is never executed calls for
+    /// invalidate().
     void record(rhi::CommandList& commands, TimestampSlots timestamps = {});
-    /// Prepares the bindings for these textures (may allocate; call when they change, at most once per swapchain image).
+    /// The view's tables are lost, as by Atmosphere::invalidate, which does this for all views: for a list of which only this
+    /// view's recording was dropped. The next record() records everything anew. Allocates nothing.
+    void invalidate() noexcept;
+    /// Prepares the bindings for these textures (may allocate; call when they change, once per swapchain image). The 16 used
+    /// last stay prepared, also over Atmosphere::set_parameters; others must be prepared again. Throws and changes nothing if
+    /// something is missing.
     void prepare_composite(const CompositeTargets& targets);
     /// Forgets textures that are about to be destroyed (a resized swapchain). Unknown targets are ignored.
     void release_composite(const CompositeTargets& targets) noexcept;
     /// Records the composite. `targets` must have been prepared, and the tables recorded since the air's structure changed;
     /// else nothing is recorded, and the log says so.
     void record_composite(rhi::CommandList& commands, const CompositeTargets& targets, TimestampSlots timestamps = {});
+    /// Of the latest record(): sky_view, aerial_perspective, light; of the latest record_composite(): composite.
     [[nodiscard]] std::span<const PassReport> reports() const noexcept;
 
-    [[nodiscard]] rhi::Texture sky_view_table() const noexcept;
-    [[nodiscard]] rhi::Texture aerial_perspective_table() const noexcept;
+    // Tables stay the same textures until the structure of the air changes (set_parameters).
+    [[nodiscard]] rhi::Texture sky_view_table() const noexcept;            ///< See sky_view.glsl.
+    [[nodiscard]] rhi::Texture aerial_perspective_table() const noexcept;  ///< See aerial_perspective.glsl.
     /// 10 x max_suns rgba32_float texels, one row a sun: [0..8] SH-L2 coefficients of sky radiance (world axes, real basis in
     /// the order 00, 1-1, 10, 11, 2-2 .. 22), [9] the sun's transmitted irradiance at the camera. The same on every backend;
     /// LightTable (light.h) takes what was read back. Null without ViewSettings::light.
     [[nodiscard]] rhi::Texture light_table() const noexcept;
-    [[nodiscard]] std::uint64_t table_bytes() const noexcept;
+    [[nodiscard]] std::uint64_t table_bytes() const noexcept;  ///< Device memory of the tables.
 
     /// For a host's own shaders that include <aureole/glsl/aureole.glsl>: "#define AUREOLE_SPEC_<id> <value>" lines that go
     /// before it, and what to bind beside the tables. Valid until the structure of the air changes (set_parameters).

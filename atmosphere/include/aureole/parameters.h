@@ -103,8 +103,8 @@ struct Planet {
 struct AtmosphereParameters {
     Planet planet;
     /// Any number, with at most `max_phase_functions` different scattering phase functions among them (terms with equal phase
-    /// functions share). None: an airless body. Kernels take 16; of more, those with equal profiles are added up, and if that is
-    /// not enough, sums of terms are tabulated: cost does not grow further.
+    /// functions share). None: an airless body. Kernels take 16; of more, those with equal profiles are added up, and if that
+    /// is not enough, sums of terms are tabulated: cost does not grow further.
     std::vector<DensityTerm> terms;
 
     static constexpr int max_phase_functions = 4;
@@ -128,6 +128,7 @@ struct Sun {
     LimbDarkening limb_darkening = LimbDarkening::neckel94;
     [[nodiscard]] bool operator==(const Sun&) const = default;
 };
+/// Throws Error(invalid_argument) at the first field outside its range.
 void validate(const Sun& sun);
 
 /// Scattering and extinction at an altitude, and what a vertical column adds up to: for tests, tools and the curious.

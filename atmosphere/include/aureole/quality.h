@@ -15,22 +15,28 @@ enum class Sampling : std::uint8_t {
     published_2020,  ///< Hillaire, EGSR 2020: uniform steps, mean-only multiple scattering; for comparison.
 };
 
+/// A value out of range is Error(invalid_argument) from `validate` and from Atmosphere's constructor; a size that the device
+/// cannot hold is Error(unsupported) from the constructor of Atmosphere or View. What each knob does: quality.md.
 struct QualitySettings {
-    std::string name = "default";
+    std::string name = "default";  ///< For messages and reports; anything.
     Sampling sampling = Sampling::gauss;
 
-    rhi::Extent transmittance{64, 32, 1};  ///< Sun-zenith x altitude nodes. Each in [2, 4096].
+    rhi::Extent transmittance{64, 32, 1};  ///< Sun-zenith x altitude nodes. Each in [2, 4096]; depth of 2D tables is 1.
     int transmittance_nodes = 6;           ///< Gauss nodes a ray (uniform steps in published_2020), in [2, 16] ([1, 256]).
 
     rhi::Extent multi_scatter{24, 12, 1};  ///< Sun-cosine x altitude nodes. Each in [2, 256].
-    int angular_order = 2;                 ///< L of the moments: 0 (mean alone), 2, 4 or 8; (L+1)(L+2)/2 layers.
-    int multi_scatter_zenith = 4;          ///< Gauss directions on each side of the horizon, in [2, 16].
+    int angular_order = 2;                 ///< L of the moments: 0 (mean alone), 2, 4 or 8; (L+1)(L+2)/2 layers. In
+                                           ///< published_2020 0.
+    int multi_scatter_zenith = 4;          ///< Gauss directions on each side of the horizon, in [2, 16]. Ignored by
+                                           ///< published_2020, as the next: 8 x 8 over the sphere.
     int multi_scatter_azimuth = 4;         ///< Directions on a half circle, in [2, 32].
     int multi_scatter_nodes = 8;           ///< Gauss nodes a ray (uniform steps in published_2020), in [2, 16] ([1, 256]).
-    int multi_scatter_orders = 3;          ///< Passes of the fixed point before the rest is extrapolated, in [1, 64]. Air in
-                                           ///< which orders fade more slowly than in a clear sky gets more, up to 64.
+    int multi_scatter_orders = 3;          ///< Passes of the fixed point before the rest is extrapolated from the last two, in
+                                           ///< [2, 64]. Air in which orders fade more slowly than in a clear sky gets more, up
+                                           ///< to 64. Ignored by published_2020 ([1, 64]), which sums them all from the first.
 
-    rhi::Extent sky_view{40, 192, 1};  ///< Azimuth x elevation nodes. Each in [4, 4096].
+    rhi::Extent sky_view{40, 192, 1};  ///< Azimuth x elevation nodes. Each in [4, 4096]; elevations even: half of them below
+                                       ///< the horizon, half above.
     int sky_view_nodes = 10;           ///< Gauss nodes a ray segment (uniform steps in published_2020), in [2, 16] ([1, 256]).
 
     rhi::Extent aerial_perspective{32, 32, 32};  ///< Screen x screen x slices. Each in [2, 256].

@@ -107,10 +107,7 @@ std::unique_ptr<Backend> open_backend(const BackendOptions& options, const Vulka
     if (options.name == "cpu-double") return open_cpu(cpu::Precision::float64, options);
     if (options.name == "auto") return open_any(options, open_vulkan);
     if (options.name != "vulkan")
-        throw Error(ErrorCode::invalid_argument, "backend",
-                    "\\"
-                    " + options.name + "\\"",
-                    "auto, vulkan, cpu or cpu-double");
+        throw Error(ErrorCode::invalid_argument, "backend", "\"" + options.name + "\"", "auto, vulkan, cpu or cpu-double");
     refuse_threads(options, "--backend vulkan");
     return open_vulkan(options);
 }

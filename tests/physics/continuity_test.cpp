@@ -98,6 +98,35 @@ TEST_CASE("rising through the air: no step of 10 m changes the view by more than
     CHECK_WORST(worst, 1e-2);
 }
 
+TEST_CASE("from the ground to space with default settings: two metres change nothing that can be seen") {
+    // The number of nodes of the sky-view pass changes at two fifths of the air. The top itself has its own test, above.
+    const Planet planet = presets::earth().planet;
+    const double shell = planet.top_radius_m - planet.bottom_radius_m;
+    Sky below(cpu_float(), presets::earth(), of(QualitySettings::standard()));
+    Sky above(cpu_float(), presets::earth(), of(QualitySettings::standard()));
+    // Below a kilometre two metres are a share of the way to the ground.
+    for (const double altitude : {1e3, 3e3, 10e3, 20e3, 30e3, 0.4 * shell - 5, 0.4 * shell, 0.4 * shell + 5, 50e3, 60e3, 80e3,
+                                  95e3, shell - 5, shell + 5, 120e3, 400e3, 1000e3}) {
+        std::vector<glm::dvec3> directions;
+        for (const double elevation : {-60.0, -10.0, -3.0, -1.0, -0.3, 0.3, 1.0, 2.0, 4.0, 7.0, 15.0, 40.0, 80.0})
+            for (const double azimuth : {5.0, 60.0, 130.0})  // elevation above the horizon
+                directions.push_back(direction(pi / 2 + dip_of(altitude) - elevation * degree, azimuth * degree));
+        Worst worst;
+        for (const double sun_zenith : {0.0, 60.0, 85.0, 88.0, 90.0, 92.0, 94.0}) {
+            below.stand(altitude - 1, sun_at(sun_zenith * degree));
+            above.stand(altitude + 1, sun_at(sun_zenith * degree));
+            const std::vector<Rgb> a = below.radiance(directions), b = above.radiance(directions);
+            double brightest = 0;
+            for (const Rgb& value : b) brightest = std::max(brightest, sum(value));
+            // Relative to what is seen there, or to a hundredth of the brightest.
+            for (std::size_t i = 0; i < a.size(); ++i)
+                worst.add(sum(glm::abs(a[i] - b[i])) / std::max(sum(b[i]), 1e-2 * brightest), altitude, sun_zenith, i,
+                          sum(b[i]));
+        }
+        CHECK_WORST(worst, 3e-3);
+    }
+}
+
 TEST_CASE("sun at the zenith: the sky is the same all around, and next to it too") {
     Sky sky(cpu_float(), presets::earth(), of(QualitySettings::standard()));
     for (const double altitude : {0.0, 5000.0, 300e3}) {

@@ -126,7 +126,7 @@ TEST_CASE("sky-view: half floats differ by a step at most") {
                           {Measure::Kind::half_steps, grazing}, where);
         });
     }
-    worst.check("sky-view", "in half, steps", 1, 0.6);
+    worst.check("sky-view", "in half, steps", 1, 1.2);  // half a step, and what float itself is off
 }
 
 TEST_CASE("sky-view: every sun has its layers, which are those of that sun alone") {

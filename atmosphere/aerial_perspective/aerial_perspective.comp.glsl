@@ -60,7 +60,7 @@ COMPUTE_MAIN(id) {
             for (int c = 0; c < PHASE_COUNT; ++c) {
                 vec3 scattered = beam * air.scattering[c];
                 if (phase_is_sharp(c)) single[c] += weight * scattered;
-                else source += scattered * phase_function(phase_kind(c), atm.phase_parameters[c], ray.nu);
+                else source += scattered * phase_value(c, ray.nu);
             }
             radiance += weight * source;
             depth += slab;

@@ -44,13 +44,8 @@ AerialPerspective aerial_perspective(real x, real y, real distance_km, vec3 dire
         int base = 1 + sun * sky_view_layers();
         vec3 radiance = froxel_layer(position, base, size, rows);
         real nu = dot(direction, vec3(view.sun_direction[sun]));
-        int layer = base + 1;
-        for (int c = 0; c < PHASE_COUNT; ++c) {
-            if (phase_is_sharp(c)) {
-                radiance += froxel_layer(position, layer, size, rows) * phase_function(phase_kind(c), atm.phase_parameters[c], nu);
-                ++layer;
-            }
-        }
+        for (int c = 0; c < PHASE_COUNT; ++c)
+            if (phase_is_sharp(c)) radiance += froxel_layer(position, base + sharp_layer(c), size, rows) * phase_value(c, nu);
         result.radiance += radiance * (view.table_exposure_inverse[sun] * vec3(view.sun_irradiance[sun]));
     }
     return result;

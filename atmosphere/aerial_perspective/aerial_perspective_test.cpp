@@ -126,17 +126,18 @@ TEST_CASE("aerial perspective: froxels of any shape, depth and projection, and w
 TEST_CASE("aerial perspective: half floats differ by a step at most") {
     Backends backends;
     Precision worst;
-    Setup setup = setup_of("earth");
-    setup.quality.froxel_format = rhi::Format::rgba16_float;
-    Trio<Rig> trio(backends, setup);
-    trio.record_air();
-    trio.share_air();
-    const auto camera = [](double altitude) { return camera_at(earth, altitude); };
-    visit_some(trio, "earth", camera, [&](const std::string& where) {
-        const Images tables = trio.read(&Rig::froxels);
-        CHECK_MESSAGE(tables.unsound() == "", where);
-        worst.compare(tables, {Measure::Kind::half_steps}, where);
-    });
+    for (const char* preset : preset_names()) {
+        Setup setup = setup_of(preset);
+        setup.quality.froxel_format = rhi::Format::rgba16_float;
+        Trio<Rig> trio(backends, setup);
+        trio.record_air();
+        trio.share_air();
+        sweep(trio, preset, [&](const std::string& where) {
+            const Images tables = trio.read(&Rig::froxels);
+            CHECK_MESSAGE(tables.unsound() == "", where);
+            worst.compare(tables, {Measure::Kind::half_steps}, where);
+        });
+    }
     worst.check("aerial perspective", "in half, steps", 1, 0.6);
 }
 

@@ -10,12 +10,8 @@ void store_froxel(ivec3 froxel, int rows, int sun, vec3 depth, vec3 radiance, ve
     int layer = 1 + sun * sky_view_layers();
     if (sun == 0) store_layer(froxel, rows, 0, depth);
     store_layer(froxel, rows, layer, radiance * view.table_exposure[sun]);
-    for (int c = 0; c < PHASE_COUNT; ++c) {
-        if (phase_is_sharp(c)) {
-            ++layer;
-            store_layer(froxel, rows, layer, single[c] * view.table_exposure[sun]);
-        }
-    }
+    for (int c = 0; c < PHASE_COUNT; ++c)
+        if (phase_is_sharp(c)) store_layer(froxel, rows, layer + sharp_layer(c), single[c] * view.table_exposure[sun]);
 }
 
 #endif

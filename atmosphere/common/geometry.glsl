@@ -8,8 +8,16 @@
 real bottom_radius() { return atm.radii.x; }
 real shell_thickness() { return atm.radii.z; }
 
+// r_b^2 - r_a^2 of two altitudes, without the squares.
+real squares_apart(real a, real b) { return (b - a) * (2 * bottom_radius() + b + a); }
+
 // sqrt(r^2 - R^2): distance to the horizon of a point at `altitude`.
-real horizon_distance(real altitude) { return sqrt(altitude * (2 * bottom_radius() + altitude)); }
+real horizon_distance(real altitude) { return sqrt(squares_apart(real(0), altitude)); }
+// The altitude in the shell from which the horizon is that far away: r - R = rho^2 / (R + r).
+real altitude_of_horizon_distance(real rho) {
+    real radius = bottom_radius();
+    return min(rho * rho / (radius + sqrt(radius * radius + rho * rho)), shell_thickness());
+}
 
 // Cosine of the zenith angle of the horizon: -sqrt(1 - (R/r)^2).
 real horizon_mu(real altitude) { return -horizon_distance(altitude) / (bottom_radius() + altitude); }
@@ -19,23 +27,27 @@ real altitude_after(real altitude, real mu, real t) {
     real r = bottom_radius() + altitude;
     real gain = t * (t + 2 * r * mu);
     real r_t = sqrt(max(r * r + gain, real(0)));
-    return max((altitude * (2 * bottom_radius() + altitude) + gain) / (r_t + bottom_radius()), real(0));
+    return max((squares_apart(real(0), altitude) + gain) / (r_t + bottom_radius()), real(0));
 }
 
 // Distance to the top of the shell from inside. T^2 - r^2 = (H - h) (2 R + H + h) >= 0, so the larger root of
 // t^2 + 2 r mu t - (T^2 - r^2) = 0 is taken in the form without cancellation for either sign of mu.
 real distance_to_top(real altitude, real mu) {
     real b = (bottom_radius() + altitude) * mu;
-    real c = max((shell_thickness() - altitude) * (2 * bottom_radius() + shell_thickness() + altitude), real(0));
+    real c = max(squares_apart(altitude, shell_thickness()), real(0));
     real root = sqrt(b * b + c);
     return mu > 0 ? c / max(b + root, real(1e-20)) : root - b;
 }
+
+// From the top of the shell to the lowest point of a line through it, which lies at the altitude `lowest` (negative: below the
+// ground). 0 for a line that passes above the shell.
+real half_chord(real lowest) { return sqrt(max(squares_apart(lowest, shell_thickness()), real(0))); }
 
 // Distance to where the ray passes another altitude: on its way up from its lowest point, or on its way down to it. Where it
 // never gets that low, the distance of the lowest point.
 real distance_to_altitude(real altitude, real mu, real target, bool upwards) {
     real b = (bottom_radius() + altitude) * mu;
-    real c = (target - altitude) * (2 * bottom_radius() + target + altitude);
+    real c = squares_apart(altitude, target);
     real root = sqrt(max(b * b + c, real(0)));
     if (upwards) return b > 0 ? c / max(b + root, real(1e-20)) : root - b;
     return b < 0 ? -c / max(root - b, real(1e-20)) : -b - root;
@@ -44,7 +56,7 @@ real distance_to_altitude(real altitude, real mu, real target, bool upwards) {
 // Distance to the ground of a ray that hits it (mu at or below the horizon's).
 real distance_to_ground(real altitude, real mu) {
     real b = (bottom_radius() + altitude) * mu;
-    real c = altitude * (2 * bottom_radius() + altitude);
+    real c = squares_apart(real(0), altitude);
     real root = sqrt(max(b * b - c, real(0)));
     return c / max(root - b, real(1e-20));
 }

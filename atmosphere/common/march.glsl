@@ -13,25 +13,12 @@
 #define AUREOLE_MARCH_GLSL
 
 #include "common/geometry.glsl"
+#include "common/ray_light.glsl"
 #include "common/ray_map.glsl"
 #include "common/slab.glsl"
 #include "medium/medium.glsl"
 #include "multi_scatter/multi_scatter.glsl"
 #include "transmittance/transmittance.glsl"
-
-struct RayLight {
-    vec3 single[MAX_PHASES];  // single scattering by phase function c, without the value of the phase: 1 per irradiance
-    vec3 multiple;            // light scattered twice or more, 1/sr per irradiance
-    vec3 depth;               // optical depth of what has been marched
-};
-
-RayLight no_light() {
-    RayLight light;
-    light.multiple = vec3(real(0));
-    light.depth = vec3(real(0));
-    for (int c = 0; c < MAX_PHASES; ++c) light.single[c] = vec3(real(0));
-    return light;
-}
 
 // Optical depth between two points of a ray from the table: on the way up the difference of their depths to the top, on the way
 // down the same of the reversed ray. For pieces that scatter nothing towards the camera it is cheaper than nodes, and as good.

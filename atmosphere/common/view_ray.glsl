@@ -64,10 +64,9 @@ real sine_above_horizon(ViewDirection v) { return v.mu * view.horizon.x + v.sine
 real distance_to_air(ViewDirection v) {
     if (view.camera.w < real(0.5)) return real(0);
     real r = bottom_radius() + view.space.x;
-    real top = bottom_radius() + shell_thickness();
-    real lowest = r * v.sine;  // of the ray's line, from the centre
-    if (v.mu >= 0 || lowest > top) return real(-1);
-    return max(-r * v.mu - sqrt((top - lowest) * (top + lowest)), real(0));
+    real lowest = r * v.sine - bottom_radius();  // altitude of the line's lowest point
+    if (v.mu >= 0 || lowest > shell_thickness()) return real(-1);
+    return max(-r * v.mu - half_chord(lowest), real(0));
 }
 
 // Ray in the air for a direction, from where it starts there; its end is for the caller to set.

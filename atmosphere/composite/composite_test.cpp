@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <utility>
+#include <vector>
 
 #include "passes/scene.h"
 #include "passes/trio.h"
@@ -87,6 +89,65 @@ TEST_CASE("composite: every backend shows the same picture, as compute and as a 
     }
     alone.check("composite", "radiance, alone", 1e-4, 1e-3);
     chained.check("composite", "radiance, own tables", 1e-4, 1e-3);
+}
+
+namespace {
+
+/// Pictures of the landscape, or of what is behind it, at all altitudes and hours: each backend from its own tables of the
+/// view, then from the same ones.
+void sweep_pictures(Backends& backends, const char* preset, rhi::Format target, const Measure& measure, Precision& alone,
+                    Precision& chained) {
+    constexpr rhi::Extent small{13, 9, 1};
+    const DepthConvention convention = perspective_conventions(13.0 / 9.0).front();
+    Setup setup = setup_of(false);
+    setup.air = presets::by_name(preset);
+    setup.composite.target_format = target;
+    Trio<Rig> trio(backends, setup);
+    trio.record_air();
+    std::vector<std::pair<Rig*, SceneTextures>> scenes;
+    trio.each([&](Rig& rig) { scenes.emplace_back(&rig, upload(rig.backend, small, patches, convention)); });
+    const auto show = [&](Rig& rig) {
+        const auto scene = std::find_if(scenes.begin(), scenes.end(), [&](const auto& of) { return of.first == &rig; })->second;
+        return rig.show(small, {.scene_color = scene.color, .scene_depth = scene.depth});
+    };
+    const auto show_all = [&] {
+        Images images{show(trio.single), show(trio.exact), {}};
+        if (trio.vulkan) images.vulkan = show(*trio.vulkan);
+        return images;
+    };
+    const Planet& planet = setup.air.planet;
+    for (const double altitude : altitudes_m(planet))
+        for (const double elevation : elevations_deg()) {
+            const std::string where = place_name(preset, altitude, elevation);
+            Camera camera = camera_at(planet, altitude);
+            camera.projection = convention.projection;
+            trio.each([&](Rig& rig) { rig.record_view(camera, sun_at(elevation)); });
+            const Images own = show_all();
+            CHECK_MESSAGE(own.unsound() == "", where);
+            chained.compare(own, measure, where);
+            share_view(trio);
+            alone.compare(show_all(), measure, where);
+        }
+}
+
+}  // namespace
+
+TEST_CASE("composite: every backend shows the same picture of every air, at all altitudes and hours") {
+    Backends backends;
+    Precision alone, chained;
+    for (const char* preset : preset_names())
+        sweep_pictures(backends, preset, rhi::Format::rgba32_float, radiance, alone, chained);
+    alone.check("composite", "all places and hours, alone", 1e-4, 1e-3);
+    chained.check("composite", "all places and hours, own tables", 1e-4, 1e-3);
+}
+
+TEST_CASE("composite: targets in half floats differ by a step at most, at all altitudes and hours") {
+    Backends backends;
+    Precision alone, chained;
+    for (const char* preset : preset_names())
+        sweep_pictures(backends, preset, rhi::Format::rgba16_float, {Measure::Kind::half_steps}, alone, chained);
+    alone.check("composite", "in half, alone, steps", 1, 0.6);
+    chained.check("composite", "in half, own tables, steps", 1, 1.6);
 }
 
 TEST_CASE("composite: all depth conventions show one picture") {

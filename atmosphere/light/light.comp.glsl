@@ -9,6 +9,8 @@
 #define AUREOLE_PHASE_TABLE 7
 #define AUREOLE_TRANSMITTANCE_TABLE
 #define AUREOLE_SKY_VIEW_TABLE
+// Aerosols' phases without their peak, which the few directions of the integral would miss or exaggerate.
+#define AUREOLE_SHARP_PHASE(c, nu) smooth_phase(c, nu)
 UNIFORMS(0, AtmosphereBlock, atm)
 UNIFORMS(1, ViewBlock, view)
 SAMPLER_2D(2, sky_view_table)
@@ -18,8 +20,8 @@ IMAGE_2D(5, light_out)
 
 #include "common/geometry.glsl"
 #include "transmittance/transmittance.glsl"
-#include "sky_view/sky_view.glsl"
 #include "phase/smooth_phase.glsl"
+#include "sky_view/sky_view.glsl"
 #include "light/harmonics.glsl"
 #include "light/sun.glsl"
 
@@ -27,20 +29,6 @@ CONST(int, LIGHT_ZENITHS, 8)
 CONST(int, LIGHT_AZIMUTHS, 12)
 
 LOCAL_SIZE(10, 1, 1)
-
-// Sky radiance for the integral: aerosols' phases without their peak, which the few directions would miss or exaggerate.
-vec3 smooth_radiance(int sun, real mu, real sine, real azimuth_cosine, real nu) {
-    vec3 coordinates = sky_view_coordinates(sun, mu, sine, azimuth_cosine);
-    vec3 radiance = sky_view_layer(coordinates, 0);
-    int layer = 1;
-    for (int c = 0; c < PHASE_COUNT; ++c) {
-        if (phase_is_sharp(c)) {
-            radiance += sky_view_layer(coordinates, layer) * smooth_phase(c, nu);
-            ++layer;
-        }
-    }
-    return radiance * coordinates.z;
-}
 
 vec3 sky_coefficient(int sun, int coefficient) {
     vec3 up = vec3(view.up);
@@ -59,7 +47,8 @@ vec3 sky_coefficient(int sun, int coefficient) {
                 real azimuth = 2 * PI * (real(k) + real(0.5)) / real(LIGHT_AZIMUTHS);
                 vec3 direction = cos(elevation) * (cos(azimuth) * towards + sin(azimuth) * side) + sin(elevation) * up;
                 real nu = dot(direction, vec3(view.sun_direction[sun]));
-                sum += smooth_radiance(sun, sin(elevation), cos(elevation), cos(azimuth), nu) * (weight * world_harmonic(coefficient, direction));
+                vec3 coordinates = sky_view_coordinates(sun, sin(elevation), cos(elevation), cos(azimuth));
+                sum += sky_view_radiance(coordinates, nu) * (weight * world_harmonic(coefficient, direction));
             }
         }
     }

@@ -28,10 +28,9 @@ vec3 sun_share(real altitude, real mu_s, real sine, real chord2) {
     real share = visible_share(sine * radius < mu_s * tangent ? sign(above) : above / max(disk, real(1e-6)));
     if (altitude <= shell_thickness()) return share * transmittance_to_top(altitude, mu_s);
 
-    real top = radius + shell_thickness();
-    real lowest = r * sine;  // of the ray's line, from the centre
-    if (mu_s >= 0 || lowest >= top) return vec3(share);
-    return share * transmittance_to_top(shell_thickness(), -sqrt((top - lowest) * (top + lowest)) / top);
+    real lowest = r * sine - radius;  // altitude of the lowest point of the line to the sun
+    if (mu_s >= 0 || lowest >= shell_thickness()) return vec3(share);
+    return share * transmittance_to_top(shell_thickness(), -half_chord(lowest) / (radius + shell_thickness()));
 }
 
 #endif

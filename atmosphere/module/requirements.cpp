@@ -1,5 +1,7 @@
 #include "module/requirements.h"
 
+#include "multi_scatter/moments.h"
+
 #include <algorithm>
 #include <string>
 
@@ -36,7 +38,7 @@ void require_device(const rhi::Device& device, const QualitySettings& quality) {
     require_table(device, rhi::Format::rgba32_float, rhi::Dimension::d2, false);
     require_table(device, rhi::Format::rgba16_float, rhi::Dimension::d2);
     require_table(device, quality.froxel_format, rhi::Dimension::d3);
-    const auto moments = static_cast<std::uint32_t>((quality.angular_order + 1) * (quality.angular_order + 2) / 2);
+    const std::uint32_t moments = moment_count(quality.angular_order);
     const auto directions = static_cast<std::uint32_t>(2 * quality.multi_scatter_zenith * quality.multi_scatter_azimuth);
     const bool published = quality.sampling == Sampling::published_2020;
     const std::uint32_t rays =

@@ -1,5 +1,6 @@
 #include "multi_scatter/multi_scatter.h"
 
+#include "multi_scatter/moments.h"
 #include "multi_scatter/order_ratio.h"
 #include "quadrature/gauss_legendre.h"
 
@@ -25,14 +26,9 @@ rhi::Format table_format(const rhi::Device& device) {
     return filtered ? rhi::Format::rgba32_float : rhi::Format::rgba16_float;
 }
 
-std::uint32_t moment_count(const QualitySettings& quality) {
-    const auto order = static_cast<std::uint32_t>(quality.angular_order);
-    return (order + 1) * (order + 2) / 2;
-}
-
 /// One layer of altitude rows a moment, and a row for the ground.
 rhi::Extent table_extent(const QualitySettings& quality) {
-    return {quality.multi_scatter.width, quality.multi_scatter.height * moment_count(quality) + 1, 1};
+    return {quality.multi_scatter.width, quality.multi_scatter.height * moment_count(quality.angular_order) + 1, 1};
 }
 
 /// Highest Legendre degree of the phase function that `azimuths` directions on a half circle can tell from lower ones, when the

@@ -16,6 +16,7 @@
 #define AUREOLE_MULTI_SCATTER_GLSL
 
 #include "common/geometry.glsl"
+#include "multi_scatter/moments.glsl"
 #include "transmittance/transmittance.glsl"
 
 SPEC_INT(9, ANGULAR_ORDER, 2)
@@ -23,8 +24,8 @@ CONST(int, MAX_ANGULAR_ORDER, 8)
 CONST(int, MAX_MOMENTS, 45)
 CONST(real, LEAST_RADIANCE, real(1e-30))
 
-int moment_count() { return (ANGULAR_ORDER + 1) * (ANGULAR_ORDER + 2) / 2; }
-int moment_layer(int l, int m) { return l * (l + 1) / 2 + m; }
+int moment_count() { return moments_up_to(ANGULAR_ORDER); }
+int moment_layer(int l, int m) { return moments_up_to(l - 1) + m; }
 
 // Axis of the sun cosine: dense around the terminator, where the field changes fast. x = (mu_s - c) / (w + |mu_s - c|).
 // Centre and width follow the planet: they scale with the dip of the horizon seen from the top of the air.
@@ -38,11 +39,7 @@ real sun_mu_at(real position) {
 }
 // Axis of altitude: rho / rho_top, as in the transmittance table.
 real altitude_position(real altitude) { return horizon_distance(altitude) / atm.radii.w; }
-real altitude_at(real position) {
-    real rho = atm.radii.w * position;
-    real radius = bottom_radius();
-    return min(rho * rho / (radius + sqrt(radius * radius + rho * rho)), shell_thickness());
-}
+real altitude_at(real position) { return altitude_of_horizon_distance(atm.radii.w * position); }
 
 // Norm of y_lm: sqrt((2 l + 1) (2 - [m = 0]) (l - m)! / (l + m)!).
 real harmonic_norm(int l, int m) {
@@ -52,9 +49,18 @@ real harmonic_norm(int l, int m) {
 }
 
 // y_lm(v) / norm for v with components z (up) and x (towards the sun), as a product of two polynomials: P_lm / sin^m and
-// sin^m cos(m phi). Computed for one m and all l by the recurrences
-//   P_mm = (2 m - 1)!!,  (l - m) P_lm = (2 l - 1) z P_(l-1)m - (l + m - 1) P_(l-2)m,
-//   C_(m+1) = 2 x C_m - sin^2 C_(m-1).
+// sin^m cos(m phi). One step of each of the recurrences
+//   (l - m) P_lm = (2 l - 1) z P_(l-1)m - (l + m - 1) P_(l-2)m,  P_mm = (2 m - 1)!!,
+//   C_(m+1) = 2 x C_m - sin^2 C_(m-1),
+// from P_lm to P_(l+1)m, from P_mm to P_(m+1)(m+1), from C_m to C_(m+1). Before the first of each stands 0.
+real next_degree(int l, int m, real z, real p, real p_before) {
+    return (real(2 * l + 1) * z * p - real(l + m) * p_before) / real(l + 1 - m);
+}
+real next_diagonal(int m, real p_mm) { return p_mm * real(2 * m + 1); }
+real next_azimuthal(int m, real x, real sine_squared, real c, real c_before) {
+    return (m == 0 ? x : 2 * x * c) - sine_squared * c_before;
+}
+
 #ifdef AUREOLE_MULTI_SCATTER_TABLE
 vec3 multi_scatter_layer(vec2 position, int layer, ivec2 size, int rows) {
     real row = real(layer * rows) + real(0.5) + position.y * real(rows - 1);
@@ -92,15 +98,15 @@ vec3 scattered_diffuse(real altitude, real mu, real mu_s, real nu, vec3 scatteri
         do {
             if (l > 0)
                 by_degree[l] += (p * c_m) * multi_scatter_layer(position, moment_layer(l, m), size, rows);
-            real p_next = (real(2 * l + 1) * mu * p - real(l + m) * p_before) / real(l + 1 - m);
+            real p_next = next_degree(l, m, mu, p, p_before);
             p_before = p;
             p = p_next;
             ++l;
         } while (l <= ANGULAR_ORDER);
-        real c_next = (m == 0 ? x : 2 * x * c_m) - sine_squared * c_before;
+        real c_next = next_azimuthal(m, x, sine_squared, c_m, c_before);
         c_before = c_m;
         c_m = c_next;
-        p_mm *= real(2 * m + 1);
+        p_mm = next_diagonal(m, p_mm);
         ++m;
     } while (m <= ANGULAR_ORDER);
 

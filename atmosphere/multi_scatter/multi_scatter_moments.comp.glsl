@@ -30,14 +30,14 @@ real harmonic(int l, int m, real z, real x) {
     real c = real(1);
     real c_before = real(0);
     for (int k = 0; k < m; ++k) {
-        p *= real(2 * k + 1);
-        real c_next = (k == 0 ? x : 2 * x * c) - sine_squared * c_before;
+        p = next_diagonal(k, p);
+        real c_next = next_azimuthal(k, x, sine_squared, c, c_before);
         c_before = c;
         c = c_next;
     }
     real p_before = real(0);
     for (int k = m; k < l; ++k) {
-        real p_next = (real(2 * k + 1) * z * p - real(k + m) * p_before) / real(k + 1 - m);
+        real p_next = next_degree(k, m, z, p, p_before);
         p_before = p;
         p = p_next;
     }
@@ -60,8 +60,8 @@ COMPUTE_MAIN(id) {
     bool last = pass.flags.y > real(0.5);
     bool ground = layer == moment_count();
     int l = 0;
-    while ((l + 1) * (l + 2) / 2 <= layer && !ground) ++l;
-    int m = ground ? 0 : layer - l * (l + 1) / 2;
+    while (moments_up_to(l) <= layer && !ground) ++l;
+    int m = ground ? 0 : layer - moment_layer(l, 0);
 
     real altitude = altitude_at(texel_to_unit(row, rows));
     vec3 total = vec3(real(0));    // integral of L

@@ -18,6 +18,7 @@ SPEC_INT(8, RAY_NODES, 6)
 SPEC_BOOL(10, SINGLE_SCATTERING, true)
 SPEC_BOOL(11, MULTIPLE_SCATTERING, false)
 
+#include "common/ground.glsl"
 #include "common/march.glsl"
 #include "multi_scatter/directions.glsl"
 #include "phase/smooth_phase.glsl"
@@ -48,9 +49,8 @@ COMPUTE_MAIN(id) {
         for (int c = 0; c < PHASE_COUNT; ++c) radiance += smooth_phase(c, ray.nu) * light.single[c];
     if (ray.ground) {
         real ground_mu_s = sun_mu_after(ray, ray.end, real(0));
-        vec3 irradiance = SINGLE_SCATTERING ? max(ground_mu_s, real(0)) * transmittance_to_sun(real(0), ground_mu_s)
-                                            : ground_diffuse_irradiance(ground_mu_s);
-        radiance += exp(-light.depth) * (vec3(atm.ground_albedo) / PI) * irradiance;
+        radiance += ground_radiance(
+            light.depth, SINGLE_SCATTERING ? ground_beam_irradiance(ground_mu_s) : ground_diffuse_irradiance(ground_mu_s));
     }
     imageStore(rays_out, ivec2(id.x, id.y), vec4(radiance, real(0)));
 }

@@ -101,6 +101,70 @@ TEST_CASE("multi-scatter: the published 2020 table, from the same transmittance"
 
 namespace {
 
+/// As a device that cannot filter 32-bit floats: some phones.
+void pretend_half(Backend& backend) {
+    rhi::FormatSupport support = backend.device().format_support(rhi::Format::rgba32_float, rhi::Dimension::d2);
+    support.linear_filter = false;
+    backend.device().pretend(std::pair(rhi::Format::rgba32_float, support));
+}
+
+constexpr std::optional<std::pair<rhi::Format, rhi::FormatSupport>> no_pretence;
+
+/// Night is left out: clears all channels in which the mean of `by`, a table of `rows` rows a layer, is below e^-16 of the
+/// sun's light.
+void clear_night(Image& image, const Image& by, std::uint32_t rows) {
+    const std::uint32_t width = image.extent.width, last = image.extent.height - 1;
+    for (std::uint32_t y = 0; y <= last; ++y)
+        for (std::uint32_t x = 0; x < width; ++x)
+            for (int channel = 0; channel < 3; ++channel)
+                if (by.at(x, y == last ? y : y % rows)[channel] < -16) image.texels[std::size_t{y} * width + x][channel] = 0;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "multi-scatter: on a device that cannot filter 32-bit floats the table is in half, and close to what it is elsewhere") {
+    Backends backends;
+    Precision logarithms, ratios;
+    Worst lost_light, lost_ratio;
+    const std::uint32_t rows = usual.size.height;
+    for (const char* preset : preset_names()) {
+        Setup setup = setup_of(preset, usual);
+        setup.quality.table_format = setup.quality.froxel_format = rhi::Format::rgba16_float;
+        AirRig whole(*backends.single, setup);
+        whole.record_air();
+        Image full = whole.multi_scatter();
+        const Image by = full;
+        backends.each(pretend_half);
+        Trio<AirRig> trio(backends, setup);
+        backends.each([](Backend& backend) { backend.device().pretend(no_pretence); });
+        trio.each([](AirRig& rig) {
+            CHECK(rig.backend.device().desc(rig.air.multi_scatter_table()).format == rhi::Format::rgba16_float);
+        });
+        trio.record_air();
+        Images tables = trio.read(&AirRig::multi_scatter);
+        CHECK(tables.unsound(true) == "");
+        for (Image* image : {&tables.single, &tables.exact, tables.vulkan ? &*tables.vulkan : &full, &full})
+            clear_night(*image, by, rows);
+        const std::uint32_t last = full.extent.height - 1;
+        for (const auto& [begin, count] : {std::pair(0U, rows), std::pair(last, 1U)}) {
+            logarithms.compare(tables, begin, count, {Measure::Kind::half_steps}, preset);
+            lost_light.compare(tables.single, full, begin, count, {Measure::Kind::logarithm}, preset);
+        }
+        ratios.compare(tables, rows, last - rows, {Measure::Kind::absolute}, preset);
+        lost_ratio.compare(tables.single, full, rows, last - rows, {Measure::Kind::absolute}, preset);
+    }
+    // Orders are in half too: where one rounds the other way, the next ones start from there.
+    logarithms.check("multi-scatter", "logarithms in half, steps", 2, 1.2);
+    ratios.check("multi-scatter", "moments over the mean, in half", 8e-3, 4e-3);
+    INFO(lost_light.text(), "; ", lost_ratio.text());
+    CHECK(lost_light.error() < 1e-2);
+    CHECK(lost_light.error() > 1e-3);  // rounded it is
+    CHECK(lost_ratio.error() < 3e-3);
+}
+
+namespace {
+
 AtmosphereParameters with_albedo(double albedo) {
     AtmosphereParameters air = presets::earth();
     air.planet.ground_albedo = Rgb(albedo);

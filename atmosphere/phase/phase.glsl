@@ -74,4 +74,7 @@ real phase_function(int kind, vec4 parameters, real nu) {
     return rayleigh_phase(nu);
 }
 
+// Phase function c of the air: needs `atm`.
+real phase_value(int c, real nu) { return phase_function(phase_kind(c), atm.phase_parameters[c], nu); }
+
 #endif

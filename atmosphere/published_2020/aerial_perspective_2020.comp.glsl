@@ -35,6 +35,6 @@ COMPUTE_MAIN(id) {
     RayLight light = march_uniform(ray, 2 * id.z + 2);
     vec3 radiance = light.multiple;
     for (int c = 0; c < PHASE_COUNT; ++c)
-        if (!phase_is_sharp(c)) radiance += light.single[c] * phase_function(phase_kind(c), atm.phase_parameters[c], ray.nu);
+        if (!phase_is_sharp(c)) radiance += light.single[c] * phase_value(c, ray.nu);
     store_froxel(ivec3(id.x, row, id.z), rows, sun, light.depth, radiance, light.single);
 }

@@ -13,11 +13,8 @@ IMAGE_2D(6, rays_out)
 SPEC_INT(8, RAY_STEPS, 20)
 SPEC_INT(15, SUN_NODES, 32)
 
-#include "common/geometry.glsl"
-#include "common/slab.glsl"
-#include "medium/medium.glsl"
-#include "multi_scatter/multi_scatter.glsl"
-#include "transmittance/transmittance.glsl"
+#include "common/ground.glsl"
+#include "published_2020/march_uniform.glsl"
 
 LOCAL_SIZE(64, 1, 1)
 
@@ -38,28 +35,10 @@ COMPUTE_MAIN(id) {
     ray.ground = hits_ground(altitude, mu);
     ray.end = ray.ground ? distance_to_ground(altitude, mu) : distance_to_top(altitude, mu);
 
-    vec3 depth = vec3(real(0));
+    RayLight light = march_uniform(ray, RAY_STEPS);
     vec3 second = vec3(real(0));
-    vec3 share = vec3(real(0));
-    real before = real(0);
-    for (int i = 0; i < RAY_STEPS; ++i) {
-        real t = ray.end * (real(i) + real(0.3)) / real(RAY_STEPS);
-        real step_km = t - before;
-        before = t;
-        real h = altitude_after(ray.altitude, ray.mu, t);
-        Medium air = sample_medium(h);
-        vec3 scattering = vec3(real(0));
-        for (int c = 0; c < PHASE_COUNT; ++c) scattering += air.scattering[c];
-        vec3 slab = air.extinction * step_km;
-        vec3 scattered = exp(-depth) * mean_transmittance(slab) * step_km * scattering;
-        second += scattered * transmittance_to_sun(h, sun_mu_after(ray, t, h)) / (4 * PI);
-        share += scattered;
-        depth += slab;
-    }
-    if (ray.ground) {
-        real ground_mu_s = sun_mu_after(ray, ray.end, real(0));
-        second += exp(-depth) * (vec3(atm.ground_albedo) / PI) * max(ground_mu_s, real(0)) * transmittance_to_sun(real(0), ground_mu_s);
-    }
+    for (int c = 0; c < PHASE_COUNT; ++c) second += light.single[c] / (4 * PI);
+    if (ray.ground) second += ground_radiance(light.depth, ground_beam_irradiance(sun_mu_after(ray, ray.end, real(0))));
     imageStore(rays_out, ivec2(id.x, 2 * id.y), vec4(second, real(0)));
-    imageStore(rays_out, ivec2(id.x, 2 * id.y + 1), vec4(share, real(0)));
+    imageStore(rays_out, ivec2(id.x, 2 * id.y + 1), vec4(light.multiple, real(0)));
 }

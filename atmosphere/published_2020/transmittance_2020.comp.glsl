@@ -10,6 +10,7 @@ SPEC_INT(8, RAY_STEPS, 40)
 
 #include "common/geometry.glsl"
 #include "medium/medium.glsl"
+#include "published_2020/uniform_steps.glsl"
 #include "transmittance/transmittance.glsl"
 
 LOCAL_SIZE(64, 1, 1)
@@ -22,7 +23,7 @@ COMPUTE_MAIN(id) {
     vec3 depth = vec3(real(0));
     real before = real(0);
     for (int i = 0; i < RAY_STEPS; ++i) {
-        real t = end * (real(i) + real(0.3)) / real(RAY_STEPS);
+        real t = uniform_step_end(end, i, RAY_STEPS);
         depth += medium_extinction(altitude_after(p.x, p.y, t)) * (t - before);
         before = t;
     }

@@ -34,15 +34,15 @@ Ray camera_ray(real half_sine, bool below, real azimuth_cosine, int sun) {
     ray.nu = clamp(mu * ray.mu_s + sine * view.sun_azimuth[sun].w * azimuth_cosine, real(-1), real(1));
     if (space) {
         real top = radius + shell_thickness();
-        real half_chord = sqrt(max((shell_thickness() - lowest) * (top + radius + lowest), real(0)));
-        real t = max(to_lowest - half_chord, real(0));
-        to_lowest = half_chord;
+        real chord = half_chord(lowest);
+        real t = max(to_lowest - chord, real(0));
+        to_lowest = chord;
         ray.altitude = shell_thickness();
-        ray.mu = -half_chord / top;
+        ray.mu = -chord / top;
         ray.mu_s = clamp((r * ray.mu_s + t * ray.nu) / top, real(-1), real(1));
     }
     real tangent = horizon_distance(ray.altitude);
-    real root = sqrt(max(-lowest * (2 * radius + lowest), real(0)));
+    real root = sqrt(max(squares_apart(lowest, real(0)), real(0)));
     ray.end = below ? tangent * tangent / max(to_lowest + root, real(1e-20)) : distance_to_top(ray.altitude, ray.mu);
     return ray;
 }

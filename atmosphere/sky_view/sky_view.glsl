@@ -17,10 +17,12 @@ SPEC_INT(5, SHARP_PHASES, 0)  // bit c: phase function c is kept out of layer 0
 SPEC_INT(6, SUN_COUNT, 1)
 
 bool phase_is_sharp(int c) { return ((SHARP_PHASES >> c) & 1) != 0; }
-int sharp_phase_count() {
-    return (SHARP_PHASES & 1) + ((SHARP_PHASES >> 1) & 1) + ((SHARP_PHASES >> 2) & 1) + ((SHARP_PHASES >> 3) & 1);
+// Of a sun's layers the one that holds phase function c, which is sharp; for c = MAX_PHASES how many layers a sun has.
+int sharp_layer(int c) {
+    int before = SHARP_PHASES & ((1 << c) - 1);
+    return 1 + (before & 1) + ((before >> 1) & 1) + ((before >> 2) & 1) + ((before >> 3) & 1);
 }
-int sky_view_layers() { return 1 + sharp_phase_count(); }  // of a sun
+int sky_view_layers() { return sharp_layer(MAX_PHASES); }  // of a sun
 int sky_view_all_layers() { return SUN_COUNT * sky_view_layers() + 1; }
 
 // Position in [0, 1] on a side: the square root of the chord between the direction and the horizon below or above it,
@@ -74,16 +76,15 @@ vec3 sky_view_transmittance(vec3 coordinates) {
     return coordinates.z > 0 ? exp(-sky_view_layer(coordinates, sky_view_layers())) : vec3(real(1));
 }
 
-// Radiance per unit of the irradiance of the coordinates' sun, 1/sr; nu is the cosine between the direction and that sun.
+// Radiance per unit of the irradiance of the coordinates' sun, 1/sr; nu is the cosine between the direction and that sun. A kernel
+// may take other values for the sharp phase functions by defining AUREOLE_SHARP_PHASE(c, nu).
+#ifndef AUREOLE_SHARP_PHASE
+#define AUREOLE_SHARP_PHASE(c, nu) phase_value(c, nu)
+#endif
 vec3 sky_view_radiance(vec3 coordinates, real nu) {
     vec3 radiance = sky_view_layer(coordinates, 0);
-    int layer = 1;
-    for (int c = 0; c < PHASE_COUNT; ++c) {
-        if (phase_is_sharp(c)) {
-            radiance += sky_view_layer(coordinates, layer) * phase_function(phase_kind(c), atm.phase_parameters[c], nu);
-            ++layer;
-        }
-    }
+    for (int c = 0; c < PHASE_COUNT; ++c)
+        if (phase_is_sharp(c)) radiance += sky_view_layer(coordinates, sharp_layer(c)) * AUREOLE_SHARP_PHASE(c, nu);
     return radiance * coordinates.z;
 }
 #endif

@@ -2,6 +2,7 @@
 #ifndef AUREOLE_SKY_VIEW_TEXEL_GLSL
 #define AUREOLE_SKY_VIEW_TEXEL_GLSL
 
+#include "common/ground.glsl"
 #include "sky_view/camera_ray.glsl"
 
 void sky_view_texel(ivec2 id) {
@@ -20,19 +21,15 @@ void sky_view_texel(ivec2 id) {
     vec3 radiance = light.multiple;
     if (below) {
         real ground_mu_s = sun_mu_after(ray, ray.end, real(0));
-        vec3 irradiance = max(ground_mu_s, real(0)) * transmittance_to_sun(real(0), ground_mu_s) + ground_diffuse_irradiance(ground_mu_s);
-        radiance += exp(-light.depth) * (vec3(atm.ground_albedo) / PI) * irradiance;
+        radiance += ground_radiance(light.depth, ground_beam_irradiance(ground_mu_s) + ground_diffuse_irradiance(ground_mu_s));
     }
     real exposure = view.table_exposure[sun];
     int base = sun * sky_view_layers() * rows + row;
-    int layer = 1;
     for (int c = 0; c < PHASE_COUNT; ++c) {
-        if (phase_is_sharp(c)) {
-            imageStore(sky_view_out, ivec2(id.x, base + layer * rows), vec4(light.single[c] * exposure, real(0)));
-            ++layer;
-        } else {
-            radiance += light.single[c] * phase_function(phase_kind(c), atm.phase_parameters[c], ray.nu);
-        }
+        if (phase_is_sharp(c))
+            imageStore(sky_view_out, ivec2(id.x, base + sharp_layer(c) * rows), vec4(light.single[c] * exposure, real(0)));
+        else
+            radiance += light.single[c] * phase_value(c, ray.nu);
     }
     imageStore(sky_view_out, ivec2(id.x, base), vec4(radiance * exposure, real(0)));
     if (sun == 0) imageStore(sky_view_out, ivec2(id.x, SUN_COUNT * sky_view_layers() * rows + row), vec4(light.depth, real(0)));

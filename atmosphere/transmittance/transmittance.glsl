@@ -20,14 +20,12 @@ vec2 transmittance_position(real altitude, real mu) {
 
 // The inverse: altitude and mu of a position. mu from the distance d: T^2 = r^2 + 2 r d mu + d^2.
 vec2 transmittance_altitude_mu(vec2 position) {
-    real radius = bottom_radius();
     real rho = atm.radii.w * position.y;
-    real altitude = rho * rho / (radius + sqrt(radius * radius + rho * rho));
-    altitude = min(altitude, shell_thickness());
+    real altitude = altitude_of_horizon_distance(rho);
     real d_min = shell_thickness() - altitude;
     real d = d_min + position.x * (rho + atm.radii.w - d_min);
-    real c = (shell_thickness() - altitude) * (2 * radius + shell_thickness() + altitude);
-    real mu = d > 0 ? (c - d * d) / (2 * (radius + altitude) * d) : real(1);
+    real c = squares_apart(altitude, shell_thickness());
+    real mu = d > 0 ? (c - d * d) / (2 * (bottom_radius() + altitude) * d) : real(1);
     return vec2(altitude, clamp(mu, real(-1), real(1)));
 }
 
@@ -45,6 +43,9 @@ vec3 transmittance_to_top(real altitude, real mu) { return exp(-optical_depth_to
 vec3 transmittance_to_sun(real altitude, real mu_s) {
     return hits_ground(altitude, mu_s) ? vec3(real(0)) : transmittance_to_top(altitude, mu_s);
 }
+
+// What the sun's beam gives the ground, per unit of its irradiance.
+vec3 ground_beam_irradiance(real mu_s) { return max(mu_s, real(0)) * transmittance_to_sun(real(0), mu_s); }
 #endif
 
 #endif

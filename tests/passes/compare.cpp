@@ -46,7 +46,7 @@ double difference(double a, double b, const Measure& measure) {
         case Measure::Kind::logarithm:
             return std::expm1(apart);
         case Measure::Kind::half_steps:
-            return apart / half_step(size);
+            return apart / half_step(std::max(size, measure.least));
     }
     return apart;
 }
@@ -62,12 +62,16 @@ void Worst::compare(const Image& a, const Image& b, std::uint32_t begin, std::ui
             scaled.least +=
                 measure.least_of_largest * std::max(largest(a, begin, count, channel), largest(b, begin, count, channel));
         for (std::uint32_t z = 0; z < a.extent.depth; ++z)
-            for (std::uint32_t y = begin; y < begin + count; ++y)
+            for (std::uint32_t y = begin; y < begin + count; ++y) {
+                Measure of_row = scaled;
+                if (measure.least_of_row > 0)
+                    of_row.least += measure.least_of_row * std::max(largest(a, y, 1, channel), largest(b, y, 1, channel));
                 for (std::uint32_t x = 0; x < a.extent.width; ++x) {
                     const double p = a.at(x, y, z)[channel], q = b.at(x, y, z)[channel];
-                    const double error = difference(p, q, scaled);
+                    const double error = difference(p, q, of_row);
                     if (!(error <= error_)) add(error, p, q, std::string(where) + place(x, y, z, channel));
                 }
+            }
     }
 }
 

@@ -15,12 +15,14 @@ struct Measure {
         relative,    ///< |a - b| / max(|a|, |b|, least).
         absolute,    ///< |a - b|.
         logarithm,   ///< Stored are logarithms: relative difference of what they stand for.
-        half_steps,  ///< |a - b| in steps of half floats of that size.
+        half_steps,  ///< |a - b| in steps of half floats of that size, or of `least`.
     };
     Kind kind = Kind::relative;
     double least = 0;
     /// Adds to `least` this share of the largest number of the rows, in the same channel of either image.
     double least_of_largest = 0;
+    /// The same with the largest number of each row alone.
+    double least_of_row = 0;
 };
 [[nodiscard]] double difference(double a, double b, const Measure& measure);
 

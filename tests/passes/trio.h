@@ -13,6 +13,14 @@ namespace aureole::passes {
 /// Opened once for a test. Without a Vulkan device the tests compare the CPU's two precisions, and say so.
 struct Backends {
     std::unique_ptr<Backend> single = open_cpu_float(), exact = open_cpu_double(), vulkan = open_vulkan();
+
+    /// Calls `act` with each.
+    template <class Act>
+    void each(const Act& act) {
+        act(*single);
+        act(*exact);
+        if (vulkan) act(*vulkan);
+    }
 };
 
 /// One table as each backend has it.

@@ -133,7 +133,7 @@ public:
         VkCommandBufferBeginInfo begin = {};
         begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
         REQUIRE(vkBeginCommandBuffer(commands, &begin) == VK_SUCCESS);
-        record(device_->begin_list(guest_->begin_recording(commands)));
+        record(device_->begin_list(guest_->begin_recording(commands), ++frame_));
         device_->end_list();
         guest_->end_recording();
         REQUIRE(vkEndCommandBuffer(commands) == VK_SUCCESS);

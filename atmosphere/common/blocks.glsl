@@ -13,7 +13,8 @@ struct AtmosphereBlock {
     vec4 radii;         // x: bottom radius, y: top radius, z: shell thickness (top - bottom), w: sqrt(top^2 - bottom^2); km
     vec4 ground_albedo; // rgb
     vec4 sun_mapping;   // multi-scatter axis of the sun cosine (multi_scatter.glsl): x: centre, y: width, z: u at -1, w: u at +1
-    vec4 tables;        // x: rows of the profile table, y: highest altitude of the profile table in km
+    vec4 tables;        // x: rows of the profile table, y: highest altitude of the profile table in km; z: stretch of the
+                        // tables' axis of altitude (geometry.glsl)
     // Density terms. profile: x..z parameters by kind (medium.glsl), w: row of the profile table.
     vec4 term_profile[MAX_TERMS];
     vec4 term_scattering[MAX_TERMS];  // rgb, 1/km

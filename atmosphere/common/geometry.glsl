@@ -19,6 +19,16 @@ real altitude_of_horizon_distance(real rho) {
     return min(rho * rho / (radius + sqrt(radius * radius + rho * rho)), shell_thickness());
 }
 
+// Axis of altitude of the tables: rho / rho_top, Bruneton 2017's, which is dense at the ground; denser still by the stretch s >= 0
+// where air lies so low that its scale height would fall between two nodes: v (1 + s) / (1 + s v).
+real altitude_position(real altitude) {
+    real v = horizon_distance(altitude) / atm.radii.w;
+    return v * (1 + atm.tables.z) / (1 + atm.tables.z * v);
+}
+real altitude_at(real position) {
+    return altitude_of_horizon_distance(atm.radii.w * position / (1 + atm.tables.z * (1 - position)));
+}
+
 // Cosine of the zenith angle of the horizon: -sqrt(1 - (R/r)^2).
 real horizon_mu(real altitude) { return -horizon_distance(altitude) / (bottom_radius() + altitude); }
 

@@ -126,8 +126,27 @@ void pack_phases(ExactAtmosphere& air) {
     }
 }
 
+/// Stretch of the tables' axis of altitude: 0 while the lowest exponential term reaches a tenth of the axis; below that a power
+/// of two, less 1, so that tables keep their axes while the air's numbers change a little.
+double altitude_stretch(const std::vector<DensityTerm>& terms, const Planet& planet) {
+    constexpr double next_to_nothing = 0.003;  // vertical optical depth of a term that need not be resolved
+    constexpr double wanted = 0.1, most = 32;
+    const auto horizon = [&](double h) { return std::sqrt(h * (2 * planet.bottom_radius_m + h)); };
+    const double top = horizon(planet.top_radius_m - planet.bottom_radius_m);
+    double lowest = wanted;
+    for (const DensityTerm& term : terms) {
+        const auto* layer = std::get_if<ExponentialProfile>(&term.profile);
+        const Rgb extinction = term.scattering_per_m + term.absorption_per_m;
+        if (layer == nullptr || std::max({extinction.r, extinction.g, extinction.b}) * layer->scale_height_m < next_to_nothing)
+            continue;
+        lowest = std::min(lowest, horizon(layer->scale_height_m) / top);
+    }
+    return std::min(std::exp2(std::ceil(std::log2(wanted / lowest))), most) - 1;
+}
+
 void pack_terms(const AtmosphereParameters& parameters, ExactAtmosphere& air) {
     const std::vector<DensityTerm> terms = merged_terms(parameters);
+    air.block.tables.z = altitude_stretch(terms, parameters.planet);
     air.block.tables.y = highest_tabulated_km(terms, air.block.radii.z);
     air.structure.term_count = static_cast<int>(terms.size());
     unsigned kinds = 0, phases = 0;

@@ -27,6 +27,7 @@ std::span<const std::byte> texels_or_zero(const std::vector<float>& texels) {
 AtmosphereBlock block_of(const AtmosphereParameters& parameters, const PackedAtmosphere& packed, Sampling sampling) {
     AtmosphereBlock block = packed.block;
     block.sun_mapping = sun_mapping(parameters.planet, sampling);
+    if (sampling == Sampling::published_2020) block.tables.z = 0;
     return block;
 }
 
@@ -78,7 +79,8 @@ void AirTables::set_numbers(const AtmosphereParameters& parameters, const Packed
     // Nothing throws from here on.
     if (other_profiles) profile_upload_ = std::move(profiles);
     if (other_phases) phase_upload_ = std::move(phases);
-    const bool same_axes = fresh.radii == block.radii && fresh.sun_mapping == block.sun_mapping;
+    const bool same_axes =
+        fresh.radii == block.radii && fresh.sun_mapping == block.sun_mapping && fresh.tables.z == block.tables.z;
     block = fresh;
     block_changed_ = true;
     transmittance_stale_ = true;

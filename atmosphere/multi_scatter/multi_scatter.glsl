@@ -37,9 +37,7 @@ real sun_mu_at(real position) {
     real x = atm.sun_mapping.z + position * (atm.sun_mapping.w - atm.sun_mapping.z);
     return clamp(atm.sun_mapping.x + atm.sun_mapping.y * x / (1 - abs(x)), real(-1), real(1));
 }
-// Axis of altitude: rho / rho_top, as in the transmittance table.
-real altitude_position(real altitude) { return horizon_distance(altitude) / atm.radii.w; }
-real altitude_at(real position) { return altitude_of_horizon_distance(atm.radii.w * position); }
+// Axis of altitude: altitude_position (geometry.glsl), as in the transmittance table.
 
 // Norm of y_lm: sqrt((2 l + 1) (2 - [m = 0]) (l - m)! / (l + m)!).
 real harmonic_norm(int l, int m) {

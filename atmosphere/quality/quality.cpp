@@ -74,8 +74,8 @@ QualitySettings QualitySettings::standard() { return {}; }
 QualitySettings QualitySettings::low() {
     QualitySettings s;
     s.name = "low";
-    s.transmittance = {32, 16, 1};
-    s.transmittance_nodes = 5;
+    s.transmittance = {64, 16, 1};
+    s.transmittance_nodes = 6;
     s.multi_scatter = {16, 8, 1};
     s.multi_scatter_azimuth = 3;
     s.angular_order = 0;
@@ -90,7 +90,7 @@ QualitySettings QualitySettings::low() {
 QualitySettings QualitySettings::high() {
     QualitySettings s;
     s.name = "high";
-    s.transmittance = {128, 64, 1};
+    s.transmittance = {256, 64, 1};
     s.multi_scatter = {32, 16, 1};
     s.multi_scatter_zenith = 8;
     s.multi_scatter_azimuth = 5;

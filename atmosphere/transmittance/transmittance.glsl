@@ -1,7 +1,7 @@
 // Transmittance table: optical depth (rgb) from (altitude, mu) to the top of the shell, for directions above the horizon.
 // Optical depth, not its exponential, is stored: it is smooth, so a small table interpolates well, and thick air does not
-// underflow. The axes are Bruneton 2017's: rho / rho_top with rho = sqrt(r^2 - R^2), and the distance to the top between its
-// least (straight up) and greatest (grazing the ground) value. Needs `atm`, geometry.glsl, `transmittance_table`.
+// underflow. The axes are Bruneton 2017's: altitude_position (geometry.glsl), and the distance to the top between its least
+// (straight up) and greatest (grazing the ground) value. Needs `atm`, geometry.glsl, `transmittance_table`.
 #ifndef AUREOLE_TRANSMITTANCE_GLSL
 #define AUREOLE_TRANSMITTANCE_GLSL
 
@@ -15,13 +15,13 @@ vec2 transmittance_position(real altitude, real mu) {
     real d = distance_to_top(altitude, mu);
     real d_min = shell_thickness() - altitude;
     real d_max = rho + atm.radii.w;
-    return vec2(clamp((d - d_min) / max(d_max - d_min, real(1e-20)), real(0), real(1)), rho / atm.radii.w);
+    return vec2(clamp((d - d_min) / max(d_max - d_min, real(1e-20)), real(0), real(1)), altitude_position(altitude));
 }
 
 // The inverse: altitude and mu of a position. mu from the distance d: T^2 = r^2 + 2 r d mu + d^2.
 vec2 transmittance_altitude_mu(vec2 position) {
-    real rho = atm.radii.w * position.y;
-    real altitude = altitude_of_horizon_distance(rho);
+    real altitude = altitude_at(position.y);
+    real rho = horizon_distance(altitude);
     real d_min = shell_thickness() - altitude;
     real d = d_min + position.x * (rho + atm.radii.w - d_min);
     real c = squares_apart(altitude, shell_thickness());

@@ -22,7 +22,7 @@ struct QualitySettings {
     Sampling sampling = Sampling::gauss;
 
     rhi::Extent transmittance{128, 32, 1};  ///< Sun-zenith x altitude nodes. Each in [2, 4096]; depth of 2D tables is 1.
-    int transmittance_nodes = 8;           ///< Gauss nodes a ray (uniform steps in published_2020), in [2, 16] ([1, 256]).
+    int transmittance_nodes = 8;            ///< Gauss nodes a ray (uniform steps in published_2020), in [2, 16] ([1, 256]).
 
     rhi::Extent multi_scatter{24, 12, 1};  ///< Sun-cosine x altitude nodes. Each in [2, 256].
     int angular_order = 2;                 ///< L of the moments: 0 (mean alone), 2, 4 or 8; (L+1)(L+2)/2 layers. In

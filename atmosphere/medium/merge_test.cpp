@@ -15,17 +15,20 @@ using detail::merged_terms;
 
 namespace {
 
+Profile profile_of(int i) {
+    if (i % 3 == 1) return TentProfile{400.0 * i, 700.0 + 50 * i};
+    if (i % 3 == 2) return TabulatedProfile{{0, 900.0 * i, 1000.0 * i, 60e3}, {0.2, 1, 0.1, 0}};
+    return ExponentialProfile{500.0 + 300 * i};
+}
+
 /// Terms of every kind of profile, all different, by `phases` different phase functions; every fifth only absorbs.
 AtmosphereParameters many_terms(int count, int phases) {
     AtmosphereParameters air;
     for (int i = 0; i < count; ++i) {
-        Profile profile = ExponentialProfile{500.0 + 300 * i};
-        if (i % 3 == 1) profile = TentProfile{400.0 * i, 700.0 + 50 * i};
-        if (i % 3 == 2) profile = TabulatedProfile{{0, 900.0 * i, 1000.0 * i, 60e3}, {0.2, 1, 0.1, 0}};
         const PhaseFunction phase =
             i % phases == 0 ? PhaseFunction(RayleighPhase{}) : HenyeyGreensteinPhase{0.2 * (i % phases)};
         air.terms.push_back({.name = "term " + std::to_string(i),
-                             .profile = profile,
+                             .profile = profile_of(i),
                              .scattering_per_m = i % 5 == 4 ? Rgb(0) : Rgb(1e-6 * (i + 1), 2e-6, 3e-6 / (i + 1)),
                              .absorption_per_m = i % 5 >= 3 ? Rgb(1e-6, 3e-7, 2e-6 * i) : Rgb(0),
                              .phase = phase});

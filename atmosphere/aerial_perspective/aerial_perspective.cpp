@@ -6,7 +6,7 @@
 
 namespace aureole::detail {
 
-AerialPerspectivePass::AerialPerspectivePass(ViewResources& shared, bool enabled) : enabled_(enabled) {
+AerialPerspectivePass::AerialPerspectivePass(TableViewResources& shared, bool enabled) : enabled_(enabled) {
     Objects& objects = shared.objects;
     const QualitySettings& quality = shared.air.quality;
     const bool published = quality.sampling == Sampling::published_2020;

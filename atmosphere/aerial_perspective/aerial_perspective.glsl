@@ -7,16 +7,12 @@
 #ifndef AUREOLE_AERIAL_PERSPECTIVE_GLSL
 #define AUREOLE_AERIAL_PERSPECTIVE_GLSL
 
+#include "aerial_perspective/air_before.glsl"
 #include "sky_view/sky_view.glsl"
 
 int froxel_layers() { return 1 + SUN_COUNT * sky_view_layers(); }
 
 #ifdef AUREOLE_AERIAL_PERSPECTIVE_TABLE
-struct AerialPerspective {
-    vec3 transmittance;
-    vec3 radiance;  // times the suns' irradiance
-};
-
 // Position of a distance, `share` of the last slice's. Were it just the square root, near geometry would be behind up to
 // last / (4 (n - 1)^2) of air too much: 25 m by default.
 real slice_position(real share, int slices) {

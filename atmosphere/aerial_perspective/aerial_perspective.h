@@ -8,7 +8,7 @@ namespace aureole::detail {
 class AerialPerspectivePass {
 public:
     /// `enabled` false: a texture of one black texel stands in for the froxels, and there is nothing to record but prepare().
-    AerialPerspectivePass(ViewResources& shared, bool enabled);
+    AerialPerspectivePass(TableViewResources& shared, bool enabled);
 
     void record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
     /// Fills the stand-in, once.
@@ -20,6 +20,7 @@ public:
     }
     [[nodiscard]] bool enabled() const noexcept { return enabled_; }
     [[nodiscard]] TrackedTexture& table() noexcept { return table_; }
+    [[nodiscard]] const TrackedTexture& table() const noexcept { return table_; }
 
 private:
     bool enabled_;

@@ -75,13 +75,15 @@ Specialize::Specialize(const AirStructure& air) {
     set(5, static_cast<int>(air.sharp_phases));
 }
 
-Specialize& Specialize::set(std::uint32_t id, int value) {
+Specialize& Specialize::set(std::uint32_t id, int value) { return set({id, static_cast<std::uint32_t>(value)}); }
+
+Specialize& Specialize::set(const rhi::Specialization& value) {
     for (rhi::Specialization& s : values_) {
-        if (s.id != id) continue;
-        s.bits = static_cast<std::uint32_t>(value);
+        if (s.id != value.id) continue;
+        s.bits = value.bits;
         return *this;
     }
-    values_.push_back({id, static_cast<std::uint32_t>(value)});
+    values_.push_back(value);
     return *this;
 }
 

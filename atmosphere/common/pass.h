@@ -68,6 +68,7 @@ public:
     explicit Specialize(const AirStructure& air);
     /// Sets or replaces a constant.
     Specialize& set(std::uint32_t id, int value);
+    Specialize& set(const rhi::Specialization& value);
     [[nodiscard]] std::span<const rhi::Specialization> values() const noexcept { return values_; }
 
 private:

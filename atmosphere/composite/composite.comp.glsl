@@ -1,10 +1,4 @@
-// The composite as a compute pass.
-#include "composite/composite.glsl"
-
-IMAGE_2D(9, target_out)
-LOCAL_SIZE(8, 8, 1)
-
-COMPUTE_MAIN(id) {
-    if (real(id.x) >= target.size.x || real(id.y) >= target.size.y) return;
-    imageStore(target_out, ivec2(id.x, id.y), composite_pixel(ivec2(id.x, id.y)));
-}
+// The composite of models with sky-view tables, as a compute pass.
+#include "composite/inputs.glsl"
+#include "sky_view/sky_light.glsl"
+#include "composite/compute.glsl"

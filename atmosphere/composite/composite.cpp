@@ -2,8 +2,6 @@
 
 #include "common/check.h"
 
-#include "aureole_atmosphere_shaders.h"
-
 #include <algorithm>
 
 namespace aureole::detail {
@@ -25,21 +23,20 @@ void validate(const CompositeSettings& settings) {
     check_enum("composite.tone_map", settings.tone_map, ToneMap::aces_fitted, "none or aces_fitted");
 }
 
-CompositePass::CompositePass(ViewResources& shared, TrackedTexture& sky_view, TrackedTexture& aerial_perspective,
-                             bool has_froxels, const CompositeSettings& settings)
+CompositePass::CompositePass(ViewResources& shared, const ModelKernels& kernels, const CompositeSettings& settings)
     : shared_(shared),
-      sky_view_(sky_view),
-      aerial_perspective_(aerial_perspective),
-      has_froxels_(has_froxels),
+      kernels_(kernels),
       settings_(settings),
-      shader_(settings.raster ? &shaders::composite_raster : &shaders::composite) {
+      shader_(settings.raster ? kernels.composite_raster : kernels.composite) {
     prepared_.reserve(max_prepared + 1);
     pipelines_[0] = pipeline(false);
 }
 
 rhi::Pipeline CompositePass::pipeline(bool given_directions) {
     Specialize values = shared_.specialize();
-    values.set(16, settings_.scene_color).set(17, settings_.scene_depth).set(18, has_froxels_ && settings_.scene_depth);
+    for (const rhi::Specialization& value : kernels_.specialization) values.set(value);
+    values.set(16, settings_.scene_color).set(17, settings_.scene_depth);
+    values.set(18, kernels_.aerial_perspective && settings_.scene_depth);
     values.set(19, settings_.sun_disk).set(20, static_cast<int>(settings_.tone_map)).set(21, settings_.encode_srgb);
     values.set(22, settings_.dither).set(23, given_directions);
     return settings_.raster ? shared_.objects.raster(*shader_, values.values(), settings_.target_format)
@@ -81,16 +78,16 @@ rhi::BindingSet CompositePass::bind(Objects& objects, const CompositeTargets& ta
     AirResources& air = shared_.air;
     // Slots that the settings leave unread still need a readable texture.
     const auto or_blank = [&](rhi::Texture texture) { return texture ? texture : air.profile_table.handle; };
-    const rhi::Binding slots[] = {{0, {}, {}, air.block.handle},
-                                  {1, {}, {}, shared_.block.handle},
-                                  {2, sky_view_.handle, air.linear, {}},
-                                  {4, aerial_perspective_.handle, air.linear, {}},
-                                  {5, or_blank(targets.scene_color), air.nearest, {}},
-                                  {6, or_blank(targets.scene_depth), air.nearest, {}},
-                                  {7, air.phase_table.handle, air.nearest, {}},
-                                  {8, or_blank(targets.directions), air.nearest, {}},
-                                  {9, targets.target, {}, {}}};
-    return objects.bindings("composite", pipeline, std::span(slots, settings_.raster ? 8 : 9));
+    std::vector<rhi::Binding> slots = kernels_.tables;
+    slots.insert(slots.end(), {{0, {}, {}, air.block.handle},
+                               {1, {}, {}, shared_.block.handle},
+                               {5, or_blank(targets.scene_color), air.nearest, {}},
+                               {6, or_blank(targets.scene_depth), air.nearest, {}},
+                               {7, air.phase_table.handle, air.nearest, {}},
+                               {8, or_blank(targets.directions), air.nearest, {}},
+                               {9, targets.target, {}, {}},
+                               {10, air.profile_table.handle, air.nearest, {}}});
+    return objects.bindings("composite", pipeline, bindings_of(*shader_, slots));
 }
 
 void CompositePass::prepare(const CompositeTargets& targets) {

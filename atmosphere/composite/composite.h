@@ -1,7 +1,7 @@
 // Recorder of the composite pass: composite.glsl as compute or as a full-screen draw into the host's target.
 #pragma once
 
-#include "sky_view/sky_view.h"
+#include "models/model.h"
 
 #include <memory>
 #include <vector>
@@ -12,8 +12,7 @@ void validate(const CompositeSettings& settings);
 
 class CompositePass {
 public:
-    CompositePass(ViewResources& shared, TrackedTexture& sky_view, TrackedTexture& aerial_perspective, bool has_froxels,
-                  const CompositeSettings& settings);
+    CompositePass(ViewResources& shared, const ModelKernels& kernels, const CompositeSettings& settings);
 
     /// Makes bindings for these textures, and forgets the longest unused ones beyond `max_prepared`.
     void prepare(const CompositeTargets& targets);
@@ -40,9 +39,7 @@ private:
     void check_sizes(const CompositeTargets& targets) const;
 
     ViewResources& shared_;
-    TrackedTexture& sky_view_;
-    TrackedTexture& aerial_perspective_;
-    bool has_froxels_;
+    const ModelKernels& kernels_;
     CompositeSettings settings_;
     const rhi::Shader* shader_;
     rhi::Pipeline pipelines_[2];  // camera rays, given directions (made when first prepared)

@@ -1,4 +1,4 @@
-// The composite as a full-screen draw.
-#include "composite/composite.glsl"
-
-FRAGMENT_MAIN(pixel) { return composite_pixel(pixel); }
+// The composite of models with sky-view tables, as a full-screen draw.
+#include "composite/inputs.glsl"
+#include "sky_view/sky_light.glsl"
+#include "composite/raster.glsl"

@@ -3,8 +3,8 @@
 // validation layer (lavapipe compiles a shader when it is first used).
 #include "composite/composite.h"
 
-#include "aerial_perspective/aerial_perspective.h"
 #include "light/light.h"
+#include "models/aureole/aureole.h"
 #include "module/air.h"
 
 #include <doctest/doctest.h>
@@ -85,16 +85,14 @@ struct Tables {
     Tables(detail::AirTables& air, const ViewSettings& settings)
         : objects(air.objects.sibling()),
           block(objects->constants("view", sizeof(detail::ViewBlock))),
-          shared{*objects, air.shared,        air.transmittance.table(), air.multi_scatter.table(),
-                 block,    settings.max_suns, settings.projection},
-          sky_view(shared),
-          aerial_perspective(shared, settings.aerial_perspective),
-          light(shared, sky_view.table(), settings.light) {}
+          shared{*objects, air.shared, block, settings.max_suns, settings.projection},
+          model(air.model->make_view(shared, settings)),
+          light(shared, model->kernels(), settings.light) {}
+    [[nodiscard]] detail::AureoleView& tables() { return dynamic_cast<detail::AureoleView&>(*model); }
     std::unique_ptr<detail::Objects> objects;
     detail::TrackedBuffer block;
     detail::ViewResources shared;
-    detail::SkyViewPass sky_view;
-    detail::AerialPerspectivePass aerial_perspective;
+    std::unique_ptr<detail::ModelView> model;
     detail::LightPass light;
 };
 
@@ -212,8 +210,7 @@ TEST_CASE("composite: every permutation is a pipeline of the CPU device") {
             Tables tables(*air.impl().tables, view_of(p));
             for_all(p, format, directions, [&] {
                 if (!takes(backend->device(), p[format], p[raster] == 1)) return;
-                detail::CompositePass pass(tables.shared, tables.sky_view.table(), tables.aerial_perspective.table(),
-                                           p[froxels] == 1, composite_of(p));
+                detail::CompositePass pass(tables.shared, tables.model->kernels(), composite_of(p));
                 for (p[directions] = 0; p[directions] < 2; ++p[directions]) {
                     const CompositeTargets targets = host.targets(p);
                     pass.prepare(targets);
@@ -244,18 +241,17 @@ TEST_CASE("composite: on Vulkan every two choices meet in a pipeline that draws"
         const Permutation p = covering.next();
         INFO(name_of(p));
         Tables tables(*airs[p[quality]]->impl().tables, view_of(p));
-        detail::CompositePass pass(tables.shared, tables.sky_view.table(), tables.aerial_perspective.table(), p[froxels] == 1,
-                                   composite_of(p));
+        detail::CompositePass pass(tables.shared, tables.model->kernels(), composite_of(p));
         const CompositeTargets targets = host.targets(p);
         pass.prepare(targets);
         // Tables of one colour: what a view fills them with, and what is shown then, other tests look at.
-        fill(*backend, tables.sky_view.table());
-        if (p[froxels] == 1) fill(*backend, tables.aerial_perspective.table());
+        fill(*backend, tables.tables().sky_view());
+        if (p[froxels] == 1) fill(*backend, tables.tables().aerial_perspective().table());
         PassReport report;
         report.name = "composite";
         backend->run([&](rhi::CommandList& commands) {
             detail::update_block(commands, tables.block, detail::ViewBlock{});
-            tables.aerial_perspective.prepare(commands);
+            tables.tables().aerial_perspective().prepare(commands);
             pass.record(commands, targets, 0, report, {}, 3);
         });
         CHECK(report.recorded);

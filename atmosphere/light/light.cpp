@@ -2,14 +2,13 @@
 
 #include "quadrature/gauss_legendre.h"
 
-#include "aureole_atmosphere_shaders.h"
-
 namespace aureole::detail {
 namespace {
 constexpr int zenith_nodes = 8;  // LIGHT_ZENITHS of light.comp.glsl
 }
 
-LightPass::LightPass(ViewResources& shared, TrackedTexture& sky_view, bool enabled) : enabled_(enabled) {
+LightPass::LightPass(ViewResources& shared, const ModelKernels& kernels, bool enabled)
+    : enabled_(enabled), shader_(kernels.light) {
     if (!enabled) return;
     Objects& objects = shared.objects;
     table_ = objects.texture({"light",
@@ -20,22 +19,24 @@ LightPass::LightPass(ViewResources& shared, TrackedTexture& sky_view, bool enabl
     rule_ = quadrature_block(zenith_nodes);
     quadrature_ = objects.constants("light quadrature", sizeof rule_);
     // Phase functions up to degree 8: with 12 azimuths, degrees from 10 on would be taken for those that are wanted.
-    pipeline_ = objects.compute(shaders::light, shared.specialize().set(14, 8).values());
-    bindings_ = objects.bindings("light", pipeline_,
-                                 {{0, {}, {}, shared.air.block.handle},
-                                  {1, {}, {}, shared.block.handle},
-                                  {2, sky_view.handle, shared.air.linear, {}},
-                                  {3, shared.transmittance.handle, shared.air.linear, {}},
-                                  {4, {}, {}, quadrature_.handle},
-                                  {5, table_.handle, {}, {}},
-                                  {7, shared.air.phase_table.handle, shared.air.nearest, {}}});
+    Specialize values = shared.specialize().set(14, 8);
+    for (const rhi::Specialization& value : kernels.specialization) values.set(value);
+    pipeline_ = objects.compute(*shader_, values.values());
+    std::vector<rhi::Binding> slots = kernels.tables;
+    slots.insert(slots.end(), {{0, {}, {}, shared.air.block.handle},
+                               {1, {}, {}, shared.block.handle},
+                               {7, shared.air.phase_table.handle, shared.air.nearest, {}},
+                               {8, {}, {}, quadrature_.handle},
+                               {9, table_.handle, {}, {}},
+                               {10, shared.air.profile_table.handle, shared.air.nearest, {}}});
+    bindings_ = objects.bindings("light", pipeline_, bindings_of(*shader_, slots));
 }
 
 void LightPass::record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index) {
     if (quadrature_.state == rhi::State::undefined) update_block(commands, quadrature_, rule_);
     PassScope scope(commands, report, timestamps, index);
     move(commands, {{&table_, rhi::State::storage_write}});
-    scope.dispatch(shaders::light, pipeline_, bindings_, table_.extent);
+    scope.dispatch(*shader_, pipeline_, bindings_, table_.extent);
     move(commands, {{&table_, rhi::State::sampled}});
     report.bytes_written = table_.bytes;
 }

@@ -1,14 +1,14 @@
 // Recorder of the light pass: sky harmonics and sun colour for the host's own lights. What the table holds: light.comp.glsl.
 #pragma once
 
-#include "sky_view/sky_view.h"
+#include "models/model.h"
 
 namespace aureole::detail {
 
 class LightPass {
 public:
     /// `enabled` false: nothing is made or recorded.
-    LightPass(ViewResources& shared, TrackedTexture& sky_view, bool enabled);
+    LightPass(ViewResources& shared, const ModelKernels& kernels, bool enabled);
 
     void record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
     /// The table is lost, and all that it is made of.
@@ -21,6 +21,7 @@ public:
 
 private:
     bool enabled_;
+    const rhi::Shader* shader_;
     TrackedTexture table_;
     TrackedBuffer quadrature_;
     QuadratureBlock rule_;

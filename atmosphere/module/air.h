@@ -1,9 +1,7 @@
 // The state behind Atmosphere: the tables of one air, and the views that read them.
 #pragma once
 
-#include "common/pass.h"
-#include "multi_scatter/multi_scatter.h"
-#include "transmittance/transmittance.h"
+#include "models/model.h"
 
 #include <memory>
 #include <vector>
@@ -14,7 +12,7 @@ namespace aureole::detail {
 class AirTables {
 public:
     AirTables(rhi::Device& device, const std::uint64_t& frame, const AtmosphereParameters& parameters,
-              const PackedAtmosphere& packed, const QualitySettings& quality);
+              const PackedAtmosphere& packed, const ModelPtr& model);
 
     /// New numbers for the same structure. May throw where the air has tables, and then nothing has changed.
     void set_numbers(const AtmosphereParameters& parameters, const PackedAtmosphere& packed);
@@ -22,9 +20,11 @@ public:
     [[nodiscard]] bool fits(const PackedAtmosphere& packed) const;
     /// Everything on the device is lost: recorded anew by the next record().
     void invalidate() noexcept;
-    [[nodiscard]] std::uint64_t texture_bytes() const noexcept { return objects.texture_bytes() + multi_scatter.copy_bytes(); }
+    [[nodiscard]] std::uint64_t texture_bytes() const noexcept { return objects.texture_bytes() + model->more_texture_bytes(); }
 
-    void record(rhi::CommandList& commands, int passes_per_frame, std::span<PassReport> reports, TimestampSlots timestamps);
+    void record(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps);
+    /// There is something for a view to read.
+    [[nodiscard]] bool recorded() const noexcept { return block_buffer.state != rhi::State::undefined && model->ready(); }
 
     Objects objects;
     AirStructure structure;
@@ -33,8 +33,7 @@ public:
     TrackedBuffer block_buffer;
     TrackedTexture profile_table, phase_table;
     AirResources shared;
-    TransmittancePass transmittance;
-    MultiScatterPass multi_scatter;
+    std::unique_ptr<ModelAir> model;
     std::uint64_t version = 1;  ///< Grows whenever a table's contents change.
 
 private:
@@ -49,7 +48,6 @@ private:
 
     Upload profile_upload_, phase_upload_;
     bool block_changed_ = true;
-    bool transmittance_stale_ = true;
 };
 
 /// What Atmosphere tells its views.
@@ -72,16 +70,16 @@ public:
 namespace aureole {
 
 struct Atmosphere::Impl {
-    Impl(rhi::Device& device, const AtmosphereParameters& parameters, const QualitySettings& quality);
+    Impl(rhi::Device& device, const AtmosphereParameters& parameters, const ModelPtr& model);
 
     rhi::Device& device;
     std::uint64_t frame = 0;
     AtmosphereParameters parameters;
-    QualitySettings quality;
+    ModelPtr model;
     int passes_per_frame = 0;
     std::unique_ptr<detail::AirTables> tables;
     std::vector<detail::AirUser*> users;
-    std::array<PassReport, 2> reports;
+    std::vector<PassReport> reports;
 };
 
 }  // namespace aureole

@@ -2,7 +2,8 @@
 #include "module/requirements.h"
 
 #include "common/check.h"
-#include "multi_scatter/order_ratio.h"
+
+#include <aureole/models/aureole.h>
 
 #include <algorithm>
 
@@ -24,21 +25,14 @@ std::span<const std::byte> texels_or_zero(const std::vector<float>& texels) {
     return texels.empty() ? std::as_bytes(std::span(&zero, 1)) : std::as_bytes(std::span(texels));
 }
 
-AtmosphereBlock block_of(const AtmosphereParameters& parameters, const PackedAtmosphere& packed, Sampling sampling) {
-    AtmosphereBlock block = packed.block;
-    block.sun_mapping = sun_mapping(parameters.planet, sampling);
-    if (sampling == Sampling::published_2020) block.tables.z = 0;
-    return block;
-}
-
 }  // namespace
 
 AirTables::AirTables(rhi::Device& device, const std::uint64_t& frame, const AtmosphereParameters& parameters,
-                     const PackedAtmosphere& packed, const QualitySettings& settings)
+                     const PackedAtmosphere& packed, const ModelPtr& chosen)
     : objects(device, frame),
       structure(packed),
-      quality(settings),
-      block(block_of(parameters, packed, settings.sampling)),
+      quality(chosen->quality()),
+      block(packed.block),
       block_buffer(objects.constants("atmosphere", sizeof block)),
       profile_table(objects.texture(table_desc("profiles", packed.profile_rows))),
       phase_table(objects.texture(table_desc("phases", packed.phase_rows))),
@@ -51,10 +45,11 @@ AirTables::AirTables(rhi::Device& device, const std::uint64_t& frame, const Atmo
              packed.profile_rows > 0,
              objects.sampler(rhi::Filter::linear),
              objects.sampler(rhi::Filter::nearest)},
-      transmittance(shared),
-      multi_scatter(shared, transmittance.table(), order_ratio(parameters)),
+      model(chosen->make_air(shared, parameters)),
       profile_upload_(make_upload("profiles upload", packed.profile_table)),
-      phase_upload_(make_upload("phases upload", packed.phase_table)) {}
+      phase_upload_(make_upload("phases upload", packed.phase_table)) {
+    model->complete(parameters, block);
+}
 
 AirTables::Upload AirTables::make_upload(const char* name, const std::vector<float>& texels) const {
     Upload upload{texels, objects.sibling(), {}};
@@ -74,25 +69,21 @@ void AirTables::set_numbers(const AtmosphereParameters& parameters, const Packed
     Upload profiles, phases;
     if (other_profiles) profiles = make_upload("profiles upload", packed.profile_table);
     if (other_phases) phases = make_upload("phases upload", packed.phase_table);
-    const AtmosphereBlock fresh = block_of(parameters, packed, quality.sampling);
-    const double ratio = order_ratio(parameters);
+    AtmosphereBlock fresh = packed.block;
+    model->complete(parameters, fresh);
+    model->restart(parameters, block, fresh);
     // Nothing throws from here on.
     if (other_profiles) profile_upload_ = std::move(profiles);
     if (other_phases) phase_upload_ = std::move(phases);
-    const bool same_axes =
-        fresh.radii == block.radii && fresh.sun_mapping == block.sun_mapping && fresh.tables.z == block.tables.z;
     block = fresh;
     block_changed_ = true;
-    transmittance_stale_ = true;
-    multi_scatter.restart(ratio, same_axes);
 }
 
 void AirTables::invalidate() noexcept {
     for (TrackedTexture* table : {&profile_table, &phase_table}) forget(*table);
     for (TrackedBuffer* buffer : {&block_buffer, &profile_upload_.buffer, &phase_upload_.buffer}) forget(*buffer);
-    block_changed_ = transmittance_stale_ = true;
-    transmittance.invalidate();
-    multi_scatter.invalidate();
+    block_changed_ = true;
+    model->invalidate();
 }
 
 void AirTables::record_upload(rhi::CommandList& commands, Upload& upload, TrackedTexture& texture) {
@@ -105,36 +96,41 @@ void AirTables::record_upload(rhi::CommandList& commands, Upload& upload, Tracke
     move(commands, {{&texture, rhi::State::sampled}});
 }
 
-void AirTables::record(rhi::CommandList& commands, int passes_per_frame, std::span<PassReport> reports,
-                       TimestampSlots timestamps) {
+void AirTables::record(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps) {
     for (PassReport& report : reports) report.recorded = false;
     record_upload(commands, profile_upload_, profile_table);
     record_upload(commands, phase_upload_, phase_table);
+    const bool other_numbers = block_changed_;
     if (block_changed_) update_block(commands, block_buffer, block);
     block_changed_ = false;
-    if (transmittance_stale_) {
-        transmittance.record(commands, reports[0], timestamps, 0);
-        transmittance_stale_ = false;
-        ++version;
-    }
-    if (!multi_scatter.finished() && multi_scatter.record(commands, block, passes_per_frame, reports[1], timestamps, 1))
-        ++version;
+    if (model->record(commands, block, reports, timestamps) || other_numbers) ++version;
 }
 
 }  // namespace detail
 
-Atmosphere::Impl::Impl(rhi::Device& device_in, const AtmosphereParameters& parameters_in, const QualitySettings& quality_in)
-    : device(device_in), parameters(parameters_in), quality(quality_in) {
-    validate(quality);
-    const detail::PackedAtmosphere packed = detail::pack_atmosphere(parameters);
-    detail::require_device(device, quality);
-    tables = std::make_unique<detail::AirTables>(device, frame, parameters, packed, quality);
-    reports[0].name = "transmittance";
-    reports[1].name = "multi_scatter";
+namespace {
+
+const ModelPtr& given(const ModelPtr& model) {
+    if (!model) detail::reject("model", "null", "a model");
+    return model;
 }
 
+}  // namespace
+
+Atmosphere::Impl::Impl(rhi::Device& device_in, const AtmosphereParameters& parameters_in, const ModelPtr& model_in)
+    : device(device_in), parameters(parameters_in), model(given(model_in)) {
+    model->validate();
+    const detail::PackedAtmosphere packed = detail::pack_atmosphere(parameters);
+    detail::require_device(device);
+    model->require(device);
+    tables = std::make_unique<detail::AirTables>(device, frame, parameters, packed, model);
+    for (const std::string_view name : tables->model->passes()) reports.emplace_back().name = name;
+}
+
+Atmosphere::Atmosphere(rhi::Device& device, const AtmosphereParameters& parameters, const ModelPtr& model)
+    : impl_(std::make_unique<Impl>(device, parameters, model)) {}
 Atmosphere::Atmosphere(rhi::Device& device, const AtmosphereParameters& parameters, const QualitySettings& quality)
-    : impl_(std::make_unique<Impl>(device, parameters, quality)) {}
+    : Atmosphere(device, parameters, models::aureole(quality)) {}
 Atmosphere::~Atmosphere() = default;
 
 void Atmosphere::set_parameters(const AtmosphereParameters& parameters) {
@@ -149,8 +145,8 @@ void Atmosphere::set_parameters(const AtmosphereParameters& parameters) {
         return;
     }
     // Everything new is made before anything old is given up, so that a failure changes nothing.
-    auto tables = std::make_unique<detail::AirTables>(impl.device, impl.frame, copy, packed, impl.quality);
-    tables->multi_scatter.keep_copy(impl.passes_per_frame > 0);
+    auto tables = std::make_unique<detail::AirTables>(impl.device, impl.frame, copy, packed, impl.model);
+    tables->model->spread(impl.passes_per_frame);
     try {
         for (detail::AirUser* user : impl.users) user->prepare(*tables);
     } catch (...) {
@@ -165,11 +161,12 @@ void Atmosphere::set_parameters(const AtmosphereParameters& parameters) {
 }
 
 const AtmosphereParameters& Atmosphere::parameters() const noexcept { return impl_->parameters; }
-const QualitySettings& Atmosphere::quality() const noexcept { return impl_->quality; }
+const Model& Atmosphere::model() const noexcept { return *impl_->model; }
+const QualitySettings& Atmosphere::quality() const noexcept { return impl_->model->quality(); }
 
 void Atmosphere::set_multi_scatter_passes_per_frame(int passes) {
     detail::check("multi_scatter_passes_per_frame", passes, 0, 64);
-    impl_->tables->multi_scatter.keep_copy(passes > 0);
+    impl_->tables->model->spread(passes);
     impl_->passes_per_frame = passes;
 }
 void Atmosphere::invalidate() noexcept {
@@ -179,13 +176,13 @@ void Atmosphere::invalidate() noexcept {
 void Atmosphere::set_frame(std::uint64_t frame) noexcept { impl_->frame = frame; }
 
 void Atmosphere::record(rhi::CommandList& commands, TimestampSlots timestamps) {
-    impl_->tables->record(commands, impl_->passes_per_frame, impl_->reports, timestamps);
+    impl_->tables->record(commands, impl_->reports, timestamps);
 }
 
 std::span<const PassReport> Atmosphere::reports() const noexcept { return impl_->reports; }
 rhi::Device& Atmosphere::device() const noexcept { return impl_->device; }
-rhi::Texture Atmosphere::transmittance_table() const noexcept { return impl_->tables->transmittance.table().handle; }
-rhi::Texture Atmosphere::multi_scatter_table() const noexcept { return impl_->tables->multi_scatter.table().handle; }
+rhi::Texture Atmosphere::transmittance_table() const noexcept { return impl_->tables->model->transmittance_table(); }
+rhi::Texture Atmosphere::multi_scatter_table() const noexcept { return impl_->tables->model->multi_scatter_table(); }
 std::uint64_t Atmosphere::table_bytes() const noexcept { return impl_->tables->texture_bytes(); }
 
 }  // namespace aureole

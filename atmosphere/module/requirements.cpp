@@ -28,14 +28,19 @@ void require_size(const char* what, std::uint32_t limit, std::uint32_t needed) {
 
 }  // namespace
 
-void require_device(const rhi::Device& device, const QualitySettings& quality) {
+void require_device(const rhi::Device& device) {
     const rhi::Capabilities& capabilities = device.capabilities();
     if (!capabilities.storage_write_without_format)
         missing("device.storage_write_without_format", "false", "true: kernels write images of several formats");
     if (capabilities.max_push_constant_bytes < 16)
         missing("device.max_push_constant_bytes", std::to_string(capabilities.max_push_constant_bytes), "at least 16");
-    require_table(device, quality.table_format, rhi::Dimension::d2);
     require_table(device, rhi::Format::rgba32_float, rhi::Dimension::d2, false);
+    require_size("device.max_texture_2d", capabilities.max_texture_2d, 4096U);  // a user's tables
+}
+
+void require_tables(const rhi::Device& device, const QualitySettings& quality) {
+    const rhi::Capabilities& capabilities = device.capabilities();
+    require_table(device, quality.table_format, rhi::Dimension::d2);
     require_table(device, rhi::Format::rgba16_float, rhi::Dimension::d2);
     require_table(device, quality.froxel_format, rhi::Dimension::d3);
     const std::uint32_t moments = moment_count(quality.angular_order);
@@ -45,7 +50,7 @@ void require_device(const rhi::Device& device, const QualitySettings& quality) {
         published ? 2 * quality.multi_scatter.width * quality.multi_scatter.height : quality.multi_scatter.height * directions;
     const std::uint32_t widest =
         std::max({quality.transmittance.width, quality.transmittance.height, quality.multi_scatter.width,
-                  quality.multi_scatter.height * moments + 1, quality.sky_view.width, quality.sky_view.height, rays, 4096U});
+                  quality.multi_scatter.height * moments + 1, quality.sky_view.width, quality.sky_view.height, rays});
     require_size("device.max_texture_2d", capabilities.max_texture_2d, widest);
     require_size(
         "device.max_texture_3d", capabilities.max_texture_3d,

@@ -5,8 +5,9 @@
 
 namespace aureole::detail {
 
-/// Throws Error(unsupported) naming the format, feature or limit that is missing.
-void require_device(const rhi::Device& device, const QualitySettings& quality);
+/// Throws Error(unsupported) naming the format, feature or limit that is missing: for any model, and for one with these tables.
+void require_device(const rhi::Device& device);
+void require_tables(const rhi::Device& device, const QualitySettings& quality);
 /// The view's tables stack the layers of all suns: the same, naming the setting that makes them too high. `froxels` false:
 /// there is no aerial perspective.
 void require_view(const rhi::Device& device, const QualitySettings& quality, std::uint32_t suns, std::uint32_t layers_per_sun,

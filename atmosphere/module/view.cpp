@@ -1,7 +1,6 @@
 #include "module/air.h"
 #include "module/requirements.h"
 
-#include "aerial_perspective/aerial_perspective.h"
 #include "camera/pack_view.h"
 #include "common/check.h"
 #include "composite/composite.h"
@@ -19,37 +18,26 @@ namespace aureole {
 namespace detail {
 namespace {
 
-ViewResources checked(const ViewResources& shared, const ViewSettings& settings) {
-    require_view(shared.objects.device(), shared.air.quality, shared.suns, shared.layers_per_sun(),
-                 settings.aerial_perspective);
-    return shared;
-}
-
 /// All device objects of a view that depend on the air.
 struct ViewTables {
     ViewTables(AirTables& air, const ViewSettings& settings, const CompositeSettings& composite_settings)
         : objects(air.objects.sibling()),
           block_buffer(objects->constants("view", sizeof(ViewBlock))),
-          shared(checked({*objects, air.shared, air.transmittance.table(), air.multi_scatter.table(), block_buffer,
-                          settings.max_suns, settings.projection},
-                         settings)),
-          sky_view(shared),
-          aerial_perspective(shared, settings.aerial_perspective),
-          light(shared, sky_view.table(), settings.light),
-          composite(shared, sky_view.table(), aerial_perspective.table(), settings.aerial_perspective, composite_settings) {}
+          shared{*objects, air.shared, block_buffer, settings.max_suns, settings.projection},
+          model(air.model->make_view(shared, settings)),
+          light(shared, model->kernels(), settings.light),
+          composite(shared, model->kernels(), composite_settings) {}
 
     void invalidate() noexcept {
         forget(block_buffer);
-        sky_view.invalidate();
-        aerial_perspective.invalidate();
+        model->invalidate();
         light.invalidate();
     }
 
     std::unique_ptr<Objects> objects;
     TrackedBuffer block_buffer;
     ViewResources shared;
-    SkyViewPass sky_view;
-    AerialPerspectivePass aerial_perspective;
+    std::unique_ptr<ModelView> model;
     LightPass light;
     CompositePass composite;
 };
@@ -62,14 +50,6 @@ void check_view(const ViewSettings& settings) {
 
 bool same_block(const ViewBlock& a, const ViewBlock& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-/// The block without what the froxels do not depend on: how bright and large the suns are, and how the picture is shown.
-ViewBlock for_froxels(ViewBlock block) {
-    block.composite = glm::vec4(0);
-    for (int sun = 0; sun < max_suns; ++sun)
-        block.sun_irradiance[sun] = block.sun_disk[sun] = block.sun_limb[sun] = glm::vec4(0);
-    return block;
-}
-
 /// The block without what the light does not depend on: where the camera looks, and how the picture is shown.
 ViewBlock for_light(ViewBlock block) {
     block.composite = block.ray_origin = block.ray_x = block.ray_y = block.depth = glm::vec4(0);
@@ -77,7 +57,6 @@ ViewBlock for_light(ViewBlock block) {
 }
 
 constexpr const char* projection_names[] = {"matrix", "panorama", "fisheye"};
-constexpr const char* pass_names[] = {"sky_view", "aerial_perspective", "light", "composite"};
 
 }  // namespace
 }  // namespace detail
@@ -89,7 +68,9 @@ struct View::Impl final : detail::AirUser {
         detail::validate(composite);
         detail::require_target(air.device, composite);
         tables = std::make_unique<detail::ViewTables>(*air.tables, settings, composite);
-        for (std::size_t i = 0; i < reports.size(); ++i) reports[i].name = detail::pass_names[i];
+        for (const std::string_view name : tables->model->passes()) reports.emplace_back().name = name;
+        reports.emplace_back().name = "light";
+        reports.emplace_back().name = "composite";
         suns.reserve(settings.max_suns);
         air.users.push_back(this);
     }
@@ -106,7 +87,12 @@ struct View::Impl final : detail::AirUser {
         stale();
     }
     void abandon() noexcept override { pending.reset(); }
-    void stale() noexcept { sky_stale = froxels_stale = light_stale = block_stale = true; }
+    void stale() noexcept {
+        tables->model->restart();
+        light_stale = block_stale = true;
+    }
+    [[nodiscard]] std::size_t light_pass() const noexcept { return reports.size() - 2; }
+    [[nodiscard]] std::size_t composite_pass() const noexcept { return reports.size() - 1; }
 
     void invalidate() noexcept override {
         tables->invalidate();
@@ -139,8 +125,7 @@ struct View::Impl final : detail::AirUser {
     }
     void use(const detail::ViewBlock& fresh) {
         block_stale |= !detail::same_block(fresh, block);
-        sky_stale |= !(detail::SkyViewKey::of(fresh) == detail::SkyViewKey::of(block));
-        froxels_stale |= !detail::same_block(detail::for_froxels(fresh), detail::for_froxels(block));
+        tables->model->update(block, fresh);
         light_stale |= !detail::same_block(detail::for_light(fresh), detail::for_light(block));
         block = fresh;
     }
@@ -152,11 +137,11 @@ struct View::Impl final : detail::AirUser {
     detail::ViewBlock block{};
     bool updated = false;
     bool deep = false;  // the camera is nearer to the planet's centre than to its ground
-    bool sky_stale = true, froxels_stale = true, light_stale = true, block_stale = true;
+    bool light_stale = true, block_stale = true;
     std::uint64_t air_version = 0;
     Camera camera;
     std::vector<Sun> suns;
-    std::array<PassReport, 4> reports;
+    std::vector<PassReport> reports;
 };
 
 View::View(Atmosphere& atmosphere, const ViewSettings& settings, const CompositeSettings& composite)
@@ -184,24 +169,23 @@ void View::set_exposure(double exposure) {
 void View::record(rhi::CommandList& commands, TimestampSlots timestamps) {
     Impl& impl = *impl_;
     detail::ViewTables& tables = *impl.tables;
-    for (std::size_t i = 0; i < 3; ++i) impl.reports[i].recorded = false;
+    for (std::size_t i = 0; i <= impl.light_pass(); ++i) impl.reports[i].recorded = false;
     if (!impl.updated) {
         log()->error("View::record: called before View::update; nothing is recorded");
         return;
     }
-    if (impl.air.tables->multi_scatter.table().state == rhi::State::undefined) {
+    if (!impl.air.tables->recorded()) {
         log()->error("View::record: called before Atmosphere::record; nothing is recorded");
         return;
     }
     if (impl.air.tables->version != impl.air_version) impl.stale();
     impl.air_version = impl.air.tables->version;
     if (impl.block_stale) detail::update_block(commands, tables.block_buffer, impl.block);
-    tables.aerial_perspective.prepare(commands);
-    if (impl.sky_stale) tables.sky_view.record(commands, impl.reports[0], timestamps, 0);
-    if (impl.froxels_stale && tables.aerial_perspective.enabled())
-        tables.aerial_perspective.record(commands, impl.reports[1], timestamps, 1);
-    if (impl.light_stale && tables.light.enabled()) tables.light.record(commands, impl.reports[2], timestamps, 2);
-    impl.sky_stale = impl.froxels_stale = impl.light_stale = impl.block_stale = false;
+    tables.model->record(commands, impl.reports, timestamps);
+    const std::size_t light = impl.light_pass();
+    if (impl.light_stale && tables.light.enabled())
+        tables.light.record(commands, impl.reports[light], timestamps, static_cast<std::uint32_t>(light));
+    impl.light_stale = impl.block_stale = false;
 }
 
 void View::invalidate() noexcept { impl_->invalidate(); }
@@ -212,21 +196,23 @@ void View::release_composite(const CompositeTargets& targets) noexcept { impl_->
 
 void View::record_composite(rhi::CommandList& commands, const CompositeTargets& targets, TimestampSlots timestamps) {
     Impl& impl = *impl_;
-    impl.reports[3].recorded = false;
+    const std::size_t pass = impl.composite_pass();
+    impl.reports[pass].recorded = false;
     if (!impl.tables->composite.prepared(targets)) {
         log()->error("View::record_composite: these targets were not given to prepare_composite; nothing is recorded");
         return;
     }
-    if (impl.tables->sky_view.table().state == rhi::State::undefined) {
+    if (impl.tables->block_buffer.state == rhi::State::undefined || !impl.tables->model->ready()) {
         log()->error("View::record_composite: called before View::record; nothing is recorded");
         return;
     }
-    impl.tables->composite.record(commands, targets, impl.air.frame, impl.reports[3], timestamps, 3);
+    impl.tables->composite.record(commands, targets, impl.air.frame, impl.reports[pass], timestamps,
+                                  static_cast<std::uint32_t>(pass));
 }
 
 std::span<const PassReport> View::reports() const noexcept { return impl_->reports; }
-rhi::Texture View::sky_view_table() const noexcept { return impl_->tables->sky_view.table().handle; }
-rhi::Texture View::aerial_perspective_table() const noexcept { return impl_->tables->aerial_perspective.table().handle; }
+rhi::Texture View::sky_view_table() const noexcept { return impl_->tables->model->sky_view_table(); }
+rhi::Texture View::aerial_perspective_table() const noexcept { return impl_->tables->model->aerial_perspective_table(); }
 rhi::Texture View::light_table() const noexcept { return impl_->tables->light.table().handle; }
 rhi::Buffer View::air_block() const noexcept { return impl_->tables->shared.air.block.handle; }
 rhi::Buffer View::view_block() const noexcept { return impl_->tables->block_buffer.handle; }
@@ -234,7 +220,7 @@ rhi::Texture View::phase_table() const noexcept { return impl_->tables->shared.a
 std::string View::shader_defines() const {
     std::string text;
     detail::Specialize constants = impl_->tables->shared.specialize();
-    constants.set(25, impl_->tables->aerial_perspective.enabled());  // HAS_FROXELS of host/aureole.glsl
+    constants.set(25, impl_->tables->model->kernels().aerial_perspective);  // HAS_FROXELS of host/aureole.glsl
     for (const rhi::Specialization& s : constants.values())
         text += "#define AUREOLE_SPEC_" + std::to_string(s.id) + " " + std::to_string(static_cast<std::int32_t>(s.bits)) + "\n";
     return text;

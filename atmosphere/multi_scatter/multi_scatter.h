@@ -32,6 +32,7 @@ public:
                 TimestampSlots timestamps, std::uint32_t index);
 
     [[nodiscard]] TrackedTexture& table() noexcept { return table_; }
+    [[nodiscard]] const TrackedTexture& table() const noexcept { return table_; }
     /// Device memory of the copy, bytes.
     [[nodiscard]] std::uint64_t copy_bytes() const noexcept { return copy_ ? copy_->objects->texture_bytes() : 0; }
 

@@ -1,6 +1,7 @@
 // The multi-scatter pass on every backend, and its fixed point spread over frames.
 #include <doctest/doctest.h>
 
+#include "models/aureole/aureole.h"
 #include "module/air.h"
 #include "passes/trio.h"
 
@@ -62,7 +63,7 @@ void measure(Parts& parts, Backends& backends, std::span<const char* const> pres
         if (shared) {
             trio.share_air();
             trio.each([](AirRig& rig) {
-                rig.air.impl().tables->multi_scatter.restart();
+                dynamic_cast<detail::AureoleAir&>(*rig.air.impl().tables->model).multi_scatter().restart();
                 CHECK(rig.record_air().dispatches > 0);
                 CHECK(!rig.air.reports()[0].recorded);
             });

@@ -4,26 +4,7 @@
 
 #include "aureole_atmosphere_shaders.h"
 
-#include <bit>
-
 namespace aureole::detail {
-
-Specialize ViewResources::specialize() const {
-    const bool published = air.quality.sampling == Sampling::published_2020;
-    Specialize values(air.air);
-    values.set(6, static_cast<int>(suns))
-        .set(7, published)
-        .set(9, air.quality.angular_order)
-        .set(24, static_cast<int>(projection));
-    // The published tables hold all phase functions applied.
-    if (published) values.set(5, 0);
-    return values;
-}
-
-std::uint32_t ViewResources::layers_per_sun() const {
-    if (air.quality.sampling == Sampling::published_2020) return 1;
-    return 1 + static_cast<std::uint32_t>(std::popcount(air.air.sharp_phases));
-}
 
 SkyViewKey SkyViewKey::of(const ViewBlock& block) {
     SkyViewKey key{block.camera, block.space, block.table_exposure, {}};
@@ -31,7 +12,7 @@ SkyViewKey SkyViewKey::of(const ViewBlock& block) {
     return key;
 }
 
-SkyViewPass::SkyViewPass(ViewResources& shared) {
+SkyViewPass::SkyViewPass(TableViewResources& shared) {
     const QualitySettings& quality = shared.air.quality;
     shader_ = quality.sampling == Sampling::published_2020 ? &shaders::sky_view_2020 : &shaders::sky_view;
     const rhi::Extent extent{quality.sky_view.width, quality.sky_view.height * (shared.suns * shared.layers_per_sun() + 1), 1};

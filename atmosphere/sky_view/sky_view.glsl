@@ -11,10 +11,10 @@
 #ifndef AUREOLE_SKY_VIEW_GLSL
 #define AUREOLE_SKY_VIEW_GLSL
 
+#include "common/specialization.glsl"
 #include "phase/phase.glsl"
 
 SPEC_INT(5, SHARP_PHASES, 0)  // bit c: phase function c is kept out of layer 0
-SPEC_INT(6, SUN_COUNT, 1)
 
 bool phase_is_sharp(int c) { return ((SHARP_PHASES >> c) & 1) != 0; }
 // Of a sun's layers the one that holds phase function c, which is sharp; for c = MAX_PHASES how many layers a sun has.

@@ -1,23 +1,14 @@
 // Recorder of the sky-view pass. What the table holds: sky_view.glsl.
 #pragma once
 
-#include "common/pass.h"
+#include "models/model.h"
 
 namespace aureole::detail {
 
-/// The tables and blocks that the passes of a view read.
-struct ViewResources {
-    Objects& objects;
-    AirResources& air;
+/// The tables that the passes of a view read.
+struct TableViewResources : ViewResources {
     TrackedTexture& transmittance;
     TrackedTexture& multi_scatter;
-    TrackedBuffer& block;  ///< ViewBlock
-    std::uint32_t suns;    ///< Rows of suns in every table of the view.
-    Projection projection;
-    /// Specialization of every kernel that reads or writes a view's tables.
-    [[nodiscard]] Specialize specialize() const;
-    /// Layers a sun has in the view's tables: 1, and 1 for each sharp phase function.
-    [[nodiscard]] std::uint32_t layers_per_sun() const;
 };
 
 /// Everything that a sky-view table depends on: rotating the camera does not change it.
@@ -30,7 +21,7 @@ struct SkyViewKey {
 
 class SkyViewPass {
 public:
-    explicit SkyViewPass(ViewResources& shared);
+    explicit SkyViewPass(TableViewResources& shared);
 
     void record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
     /// The table is lost, and all that it is made of.
@@ -39,6 +30,7 @@ public:
         forget(quadrature_);
     }
     [[nodiscard]] TrackedTexture& table() noexcept { return table_; }
+    [[nodiscard]] const TrackedTexture& table() const noexcept { return table_; }
 
 private:
     const rhi::Shader* shader_;

@@ -17,6 +17,7 @@ public:
         forget(quadrature_);
     }
     [[nodiscard]] TrackedTexture& table() noexcept { return table_; }
+    [[nodiscard]] const TrackedTexture& table() const noexcept { return table_; }
 
 private:
     const rhi::Shader* shader_;

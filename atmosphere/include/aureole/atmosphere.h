@@ -17,6 +17,7 @@
 #pragma once
 
 #include <aureole/camera.h>
+#include <aureole/model.h>
 #include <aureole/parameters.h>
 #include <aureole/quality.h>
 #include <aureole/rhi/device.h>
@@ -51,6 +52,8 @@ class Atmosphere {
 public:
     /// Creates pipelines and tables on `device`, which must outlive this object. Validates both arguments; throws
     /// Error(unsupported) naming what the device lacks. Nothing is left behind then.
+    Atmosphere(rhi::Device& device, const AtmosphereParameters& parameters, const ModelPtr& model);
+    /// The model `aureole` with these settings.
     Atmosphere(rhi::Device& device, const AtmosphereParameters& parameters,
                const QualitySettings& quality = QualitySettings::standard());
     ~Atmosphere();
@@ -63,7 +66,8 @@ public:
     /// pipelines and tables, for all views too.
     void set_parameters(const AtmosphereParameters& parameters);
     [[nodiscard]] const AtmosphereParameters& parameters() const noexcept;
-    [[nodiscard]] const QualitySettings& quality() const noexcept;
+    [[nodiscard]] const Model& model() const noexcept;
+    [[nodiscard]] const QualitySettings& quality() const noexcept;  ///< Of the model.
 
     /// Passes of the multi-scatter fixed point recorded by each record() after a change, in [0, 64], else
     /// Error(invalid_argument): 0 solves at once (default), n spreads the solution over frames, n passes each; the table in use

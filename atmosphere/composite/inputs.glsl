@@ -1,0 +1,35 @@
+// What every composite kernel reads, whichever model's sky it shows. Slots 2 to 4 and from 10 on are the model's: 10 the profile
+// table (AUREOLE_PROFILE_TABLE), if it marches.
+#ifndef AUREOLE_COMPOSITE_INPUTS_GLSL
+#define AUREOLE_COMPOSITE_INPUTS_GLSL
+
+#include "common/constants.glsl"
+#include "common/blocks.glsl"
+#include "common/specialization.glsl"
+
+#define AUREOLE_PHASE_TABLE 7
+
+UNIFORMS(0, AtmosphereBlock, atm)
+UNIFORMS(1, ViewBlock, view)
+SAMPLER_2D(5, scene_color)
+SAMPLER_2D(6, scene_depth)
+SAMPLER_2D(8, directions)
+
+SPEC_BOOL(16, SCENE_COLOR, false)
+SPEC_BOOL(17, SCENE_DEPTH, false)
+SPEC_BOOL(18, AERIAL_PERSPECTIVE, false)
+SPEC_BOOL(19, SUN_DISK, true)
+SPEC_INT(20, TONE_MAP, 0)  // 0 none, 1 ACES as fitted by Hill
+SPEC_BOOL(21, ENCODE_SRGB, false)
+SPEC_BOOL(22, DITHER, false)
+SPEC_BOOL(23, GIVEN_DIRECTIONS, false)
+
+struct CompositeTarget {
+    vec4 size;  // x, y: width and height of the target; z: frame number, for the dither
+};
+PUSH_CONSTANTS(CompositeTarget, target)
+
+#include "aerial_perspective/air_before.glsl"
+#include "common/view_ray.glsl"
+
+#endif

@@ -1,0 +1,45 @@
+// The ladder of sky models: one description by which a host chooses what draws its sky, from a fog of one colour to a path
+// tracer. Each model has a header of its own with its settings (aureole/models/<name>.h); all are used alike:
+//
+//     Atmosphere air(device, presets::earth(), models::aureole(QualitySettings::high()));
+#pragma once
+
+#include <aureole/parameters.h>
+#include <aureole/quality.h>
+#include <aureole/rhi/device.h>
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace aureole {
+
+namespace detail {
+struct AirResources;
+class ModelAir;
+}  // namespace detail
+
+/// A model with its settings: does not change, and may be shared by any number of atmospheres.
+class Model {
+public:
+    virtual ~Model() = default;
+    [[nodiscard]] virtual std::string_view name() const noexcept = 0;
+    /// Settings of the tables, for models that make some of them; else the default ones, of no effect.
+    [[nodiscard]] virtual const QualitySettings& quality() const noexcept = 0;
+    /// Throws Error(invalid_argument) at the first setting outside its range.
+    virtual void validate() const = 0;
+    /// Throws Error(unsupported) naming what the model needs and the device lacks.
+    virtual void require(const rhi::Device& device) const = 0;
+    /// For the module's use: everything on the device that belongs to one air.
+    [[nodiscard]] virtual std::unique_ptr<detail::ModelAir> make_air(detail::AirResources& shared,
+                                                                     const AtmosphereParameters& parameters) const = 0;
+};
+using ModelPtr = std::shared_ptr<const Model>;
+
+/// Names of all models, from the cheapest to the dearest.
+[[nodiscard]] std::span<const std::string_view> model_names();
+/// A model by its name, in the quality "low", "default" or "high" (and "published-2020" for `aureole`, which then is
+/// `hillaire`). Throws Error(invalid_argument) naming the field ("model" or "quality") and what it may be.
+[[nodiscard]] ModelPtr model_by_name(std::string_view name, std::string_view quality = "default");
+
+}  // namespace aureole

@@ -1,0 +1,144 @@
+#include "models/aureole/aureole.h"
+
+#include "module/requirements.h"
+#include "multi_scatter/order_ratio.h"
+
+#include <aureole/models/aureole.h>
+
+#include "aureole_atmosphere_shaders.h"
+
+#include <array>
+#include <cstring>
+
+namespace aureole {
+namespace detail {
+namespace {
+
+constexpr std::array<std::string_view, 2> air_passes{"transmittance", "multi_scatter"};
+constexpr std::array<std::string_view, 2> view_passes{"sky_view", "aerial_perspective"};
+
+class AureoleModel final : public Model {
+public:
+    explicit AureoleModel(const QualitySettings& quality) : quality_(quality) { AureoleModel::validate(); }
+    [[nodiscard]] std::string_view name() const noexcept override { return "aureole"; }
+    [[nodiscard]] const QualitySettings& quality() const noexcept override { return quality_; }
+    void validate() const override { aureole::validate(quality_); }
+    void require(const rhi::Device& device) const override { require_tables(device, quality_); }
+    [[nodiscard]] std::unique_ptr<ModelAir> make_air(AirResources& shared,
+                                                     const AtmosphereParameters& parameters) const override {
+        return std::make_unique<AureoleAir>(shared, parameters);
+    }
+
+private:
+    QualitySettings quality_;
+};
+
+/// The block without what the froxels do not depend on: how bright and large the suns are, and how the picture is shown.
+ViewBlock for_froxels(ViewBlock block) {
+    block.composite = glm::vec4(0);
+    for (int sun = 0; sun < max_suns; ++sun)
+        block.sun_irradiance[sun] = block.sun_disk[sun] = block.sun_limb[sun] = glm::vec4(0);
+    return block;
+}
+bool same_froxels(const ViewBlock& a, const ViewBlock& b) {
+    const ViewBlock one = for_froxels(a), other = for_froxels(b);
+    return std::memcmp(&one, &other, sizeof one) == 0;
+}
+
+TableViewResources checked(const ViewResources& shared, const ViewSettings& settings, TrackedTexture& transmittance,
+                           TrackedTexture& multi_scatter) {
+    require_view(shared.objects.device(), shared.air.quality, shared.suns, shared.layers_per_sun(),
+                 settings.aerial_perspective);
+    return {shared, transmittance, multi_scatter};
+}
+
+}  // namespace
+
+AureoleAir::AureoleAir(AirResources& shared, const AtmosphereParameters& parameters)
+    : shared_(shared), transmittance_(shared), multi_scatter_(shared, transmittance_.table(), order_ratio(parameters)) {}
+
+std::span<const std::string_view> AureoleAir::passes() const noexcept { return air_passes; }
+
+void AureoleAir::complete(const AtmosphereParameters& parameters, AtmosphereBlock& block) const noexcept {
+    block.sun_mapping = sun_mapping(parameters.planet, shared_.quality.sampling);
+    if (shared_.quality.sampling == Sampling::published_2020) block.tables.z = 0;
+}
+
+void AureoleAir::restart(const AtmosphereParameters& parameters, const AtmosphereBlock& before, const AtmosphereBlock& fresh) {
+    const bool same_axes =
+        fresh.radii == before.radii && fresh.sun_mapping == before.sun_mapping && fresh.tables.z == before.tables.z;
+    multi_scatter_.restart(order_ratio(parameters), same_axes);
+    transmittance_stale_ = true;
+}
+
+void AureoleAir::invalidate() noexcept {
+    transmittance_.invalidate();
+    multi_scatter_.invalidate();
+    transmittance_stale_ = true;
+}
+
+bool AureoleAir::record(rhi::CommandList& commands, const AtmosphereBlock& block, std::span<PassReport> reports,
+                        TimestampSlots timestamps) {
+    bool changed = transmittance_stale_;
+    if (transmittance_stale_) transmittance_.record(commands, reports[0], timestamps, 0);
+    transmittance_stale_ = false;
+    if (!multi_scatter_.finished())
+        changed |= multi_scatter_.record(commands, block, passes_per_frame_, reports[1], timestamps, 1);
+    return changed;
+}
+
+bool AureoleAir::ready() const noexcept { return multi_scatter_.table().state != rhi::State::undefined; }
+
+void AureoleAir::spread(int passes_per_frame) {
+    multi_scatter_.keep_copy(passes_per_frame > 0);
+    passes_per_frame_ = passes_per_frame;
+}
+
+std::unique_ptr<ModelView> AureoleAir::make_view(ViewResources& shared, const ViewSettings& settings) {
+    return std::make_unique<AureoleView>(shared, settings, transmittance_.table(), multi_scatter_.table());
+}
+
+AureoleView::AureoleView(ViewResources& shared, const ViewSettings& settings, TrackedTexture& transmittance,
+                         TrackedTexture& multi_scatter)
+    : shared_(checked(shared, settings, transmittance, multi_scatter)),
+      sky_view_(shared_),
+      froxels_(shared_, settings.aerial_perspective),
+      kernels_{.composite = &shaders::composite,
+               .composite_raster = &shaders::composite_raster,
+               .light = &shaders::light,
+               .tables = {{2, sky_view_.table().handle, shared.air.linear, {}},
+                          {3, transmittance.handle, shared.air.linear, {}},
+                          {4, froxels_.table().handle, shared.air.linear, {}}},
+               .specialization = {},
+               .aerial_perspective = settings.aerial_perspective} {}
+
+std::span<const std::string_view> AureoleView::passes() const noexcept { return view_passes; }
+
+void AureoleView::update(const ViewBlock& before, const ViewBlock& fresh) noexcept {
+    sky_stale_ |= !(SkyViewKey::of(fresh) == SkyViewKey::of(before));
+    froxels_stale_ |= !same_froxels(before, fresh);
+}
+
+void AureoleView::invalidate() noexcept {
+    sky_view_.invalidate();
+    froxels_.invalidate();
+    restart();
+}
+
+void AureoleView::record(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps) {
+    froxels_.prepare(commands);
+    if (sky_stale_) sky_view_.record(commands, reports[0], timestamps, 0);
+    if (froxels_stale_ && froxels_.enabled()) froxels_.record(commands, reports[1], timestamps, 1);
+    sky_stale_ = froxels_stale_ = false;
+}
+
+bool AureoleView::ready() const noexcept { return sky_view_.table().state != rhi::State::undefined; }
+
+}  // namespace detail
+
+namespace models {
+
+ModelPtr aureole(const QualitySettings& quality) { return std::make_shared<detail::AureoleModel>(quality); }
+
+}  // namespace models
+}  // namespace aureole

@@ -1,0 +1,87 @@
+// What a model of the ladder implements. The module owns the air's numbers, the camera's and the suns', the composite and the
+// light pass; a model owns its tables, and gives composite and light the kernels that look them up.
+#pragma once
+
+#include "common/pass.h"
+
+#include <aureole/model.h>
+
+#include <vector>
+
+namespace aureole::detail {
+
+/// What every pass of a view shares.
+struct ViewResources {
+    Objects& objects;
+    AirResources& air;
+    TrackedBuffer& block;  ///< ViewBlock
+    std::uint32_t suns;    ///< Most suns that the view is given.
+    Projection projection;
+    /// Specialization of every kernel of a view.
+    [[nodiscard]] Specialize specialize() const;
+    /// Layers a sun has in tables that keep sharp phase functions apart: 1, and 1 for each of those.
+    [[nodiscard]] std::uint32_t layers_per_sun() const;
+};
+
+/// The kernels that show a model's sky, each with the slots of composite/inputs.glsl or light/inputs.glsl and the model's own.
+struct ModelKernels {
+    const rhi::Shader* composite = nullptr;
+    const rhi::Shader* composite_raster = nullptr;
+    const rhi::Shader* light = nullptr;
+    std::vector<rhi::Binding> tables;                 ///< Of the model; each kernel takes those that it has slots for.
+    std::vector<rhi::Specialization> specialization;  ///< Beyond ViewResources::specialize.
+    bool aerial_perspective = true;                   ///< False: geometry is left as it is.
+};
+
+/// What a model keeps for a camera.
+class ModelView {
+public:
+    virtual ~ModelView() = default;
+    /// Names of its passes, in the order of their reports; none if it keeps no tables of a camera.
+    [[nodiscard]] virtual std::span<const std::string_view> passes() const noexcept { return {}; }
+    [[nodiscard]] virtual const ModelKernels& kernels() const noexcept = 0;
+    /// Camera or suns have changed.
+    virtual void update(const ViewBlock& /*before*/, const ViewBlock& /*fresh*/) noexcept {}
+    /// The air has changed.
+    virtual void restart() noexcept {}
+    /// Everything on the device is lost.
+    virtual void invalidate() noexcept {}
+    /// Records what has become due, leaving all textures that kernels() names in State::sampled.
+    virtual void record(rhi::CommandList& /*commands*/, std::span<PassReport> /*reports*/, TimestampSlots /*timestamps*/) {}
+    /// Has been recorded since it was made.
+    [[nodiscard]] virtual bool ready() const noexcept { return true; }
+    /// For a host's own shaders (host/aureole.glsl): null where a model keeps none.
+    [[nodiscard]] virtual rhi::Texture sky_view_table() const noexcept { return {}; }
+    [[nodiscard]] virtual rhi::Texture aerial_perspective_table() const noexcept { return {}; }
+};
+
+/// What a model keeps for an air of one structure; made anew when that changes.
+class ModelAir {
+public:
+    virtual ~ModelAir() = default;
+    [[nodiscard]] virtual std::span<const std::string_view> passes() const noexcept { return {}; }
+    /// Completes the block with what the model's own kernels read of it.
+    virtual void complete(const AtmosphereParameters& /*parameters*/, AtmosphereBlock& /*block*/) const noexcept {}
+    /// The air's numbers have changed from one block to the other. May throw, and then nothing has changed.
+    virtual void restart(const AtmosphereParameters& /*parameters*/, const AtmosphereBlock& /*before*/,
+                         const AtmosphereBlock& /*fresh*/) {}
+    virtual void invalidate() noexcept {}
+    /// Records what has become due; true if anything that views read has changed.
+    virtual bool record(rhi::CommandList& /*commands*/, const AtmosphereBlock& /*block*/, std::span<PassReport> /*reports*/,
+                        TimestampSlots /*timestamps*/) {
+        return false;
+    }
+    [[nodiscard]] virtual bool ready() const noexcept { return true; }
+    /// Passes of iterative solutions recorded by each record(); 0: all at once. May throw, and then nothing has changed.
+    virtual void spread(int /*passes_per_frame*/) {}
+    /// Device memory of textures that are not in AirResources::objects, bytes.
+    [[nodiscard]] virtual std::uint64_t more_texture_bytes() const noexcept { return 0; }
+    [[nodiscard]] virtual std::unique_ptr<ModelView> make_view(ViewResources& shared, const ViewSettings& settings) = 0;
+    [[nodiscard]] virtual rhi::Texture transmittance_table() const noexcept { return {}; }
+    [[nodiscard]] virtual rhi::Texture multi_scatter_table() const noexcept { return {}; }
+};
+
+/// The bindings that a kernel has slots for.
+[[nodiscard]] std::vector<rhi::Binding> bindings_of(const rhi::Shader& shader, std::span<const rhi::Binding> offered);
+
+}  // namespace aureole::detail

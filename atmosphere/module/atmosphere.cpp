@@ -31,7 +31,7 @@ AirTables::AirTables(rhi::Device& device, const std::uint64_t& frame, const Atmo
                      const PackedAtmosphere& packed, const ModelPtr& chosen)
     : objects(device, frame),
       structure(packed),
-      quality(chosen->quality()),
+      quality(chosen->quality_for(parameters)),
       block(packed.block),
       block_buffer(objects.constants("atmosphere", sizeof block)),
       profile_table(objects.texture(table_desc("profiles", packed.profile_rows))),
@@ -138,7 +138,7 @@ void Atmosphere::set_parameters(const AtmosphereParameters& parameters) {
     if (parameters == impl.parameters) return;
     const detail::PackedAtmosphere packed = detail::pack_atmosphere(parameters);
     AtmosphereParameters copy = parameters;
-    if (impl.tables->fits(packed)) {
+    if (impl.tables->fits(packed) && impl.tables->quality.angular_order == impl.model->quality_for(copy).angular_order) {
         impl.tables->set_numbers(copy, packed);
         impl.parameters = std::move(copy);
         for (detail::AirUser* user : impl.users) user->refresh();

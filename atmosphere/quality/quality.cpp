@@ -91,7 +91,9 @@ QualitySettings QualitySettings::high() {
     QualitySettings s;
     s.name = "high";
     s.transmittance = {256, 64, 1};
-    s.multi_scatter = {32, 16, 1};
+    s.multi_scatter = {40, 16, 1};
+    s.angular_order = 8;
+    s.angular_order_as_needed = true;
     s.multi_scatter_zenith = 8;
     s.multi_scatter_azimuth = 5;
     s.multi_scatter_nodes = 12;

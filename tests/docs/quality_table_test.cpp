@@ -23,6 +23,7 @@ std::map<std::string, std::string> knobs(const QualitySettings& s) {
             {"transmittance_nodes", std::to_string(s.transmittance_nodes)},
             {"multi_scatter", print(s.multi_scatter)},
             {"angular_order", std::to_string(s.angular_order)},
+            {"angular_order_as_needed", s.angular_order_as_needed ? "yes" : "no"},
             {"multi_scatter_zenith", std::to_string(s.multi_scatter_zenith)},
             {"multi_scatter_azimuth", std::to_string(s.multi_scatter_azimuth)},
             {"multi_scatter_nodes", std::to_string(s.multi_scatter_nodes)},

@@ -26,6 +26,8 @@ public:
     [[nodiscard]] virtual std::string_view name() const noexcept = 0;
     /// Settings of the tables, for models that make some of them; else the default ones, of no effect.
     [[nodiscard]] virtual const QualitySettings& quality() const noexcept = 0;
+    /// The settings that this air gets: a model may leave out what would make no difference.
+    [[nodiscard]] virtual QualitySettings quality_for(const AtmosphereParameters& /*parameters*/) const { return quality(); }
     /// Throws Error(invalid_argument) at the first setting outside its range.
     virtual void validate() const = 0;
     /// Throws Error(unsupported) naming what the model needs and the device lacks.

@@ -27,6 +27,8 @@ struct QualitySettings {
     rhi::Extent multi_scatter{24, 12, 1};  ///< Sun-cosine x altitude nodes. Each in [2, 256].
     int angular_order = 2;                 ///< L of the moments: 0 (mean alone), 2, 4 or 8; (L+1)(L+2)/2 layers. In
                                            ///< published_2020 0.
+    bool angular_order_as_needed = false;  ///< Take a lower order for air that makes no use of more (angular_order.h), and
+                                           ///< more directions where the order is high: set_parameters may then make pipelines.
     int multi_scatter_zenith = 4;          ///< Gauss directions on each side of the horizon, in [2, 16]. Ignored by
                                            ///< published_2020, as the next: 8 x 8 over the sphere.
     int multi_scatter_azimuth = 4;         ///< Directions on a half circle, in [2, 32].

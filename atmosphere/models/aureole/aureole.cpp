@@ -1,12 +1,14 @@
 #include "models/aureole/aureole.h"
 
 #include "module/requirements.h"
+#include "multi_scatter/angular_order.h"
 #include "multi_scatter/order_ratio.h"
 
 #include <aureole/models/aureole.h>
 
 #include "aureole_atmosphere_shaders.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 
@@ -22,6 +24,15 @@ public:
     explicit AureoleModel(const QualitySettings& quality) : quality_(quality) { AureoleModel::validate(); }
     [[nodiscard]] std::string_view name() const noexcept override { return "aureole"; }
     [[nodiscard]] const QualitySettings& quality() const noexcept override { return quality_; }
+    [[nodiscard]] QualitySettings quality_for(const AtmosphereParameters& parameters) const override {
+        QualitySettings result = quality_;
+        if (!quality_.angular_order_as_needed) return result;
+        result.angular_order = angular_order_for(parameters, quality_.angular_order);
+        // Directions that tell the moments apart.
+        result.multi_scatter_zenith = std::max(result.multi_scatter_zenith, result.angular_order);
+        result.multi_scatter_azimuth = std::max(result.multi_scatter_azimuth, result.angular_order + 2);
+        return result;
+    }
     void validate() const override { aureole::validate(quality_); }
     void require(const rhi::Device& device) const override { require_tables(device, quality_); }
     [[nodiscard]] std::unique_ptr<ModelAir> make_air(AirResources& shared,

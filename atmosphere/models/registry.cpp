@@ -2,6 +2,7 @@
 #include "common/check.h"
 
 #include <aureole/models/aureole.h>
+#include <aureole/models/fog.h>
 
 #include <array>
 #include <string>
@@ -17,6 +18,7 @@ struct Entry {
 };
 
 constexpr std::array entries{
+    Entry{"fog", [](std::string_view quality) { return models::fog(models::FogSettings::by_name(quality)); }},
     Entry{"aureole", [](std::string_view quality) { return models::aureole(QualitySettings::by_name(quality)); }},
 };
 

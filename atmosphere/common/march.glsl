@@ -6,9 +6,9 @@
 // each piece has its dense end where the air is dense. The transmittance from the camera comes from the same nodes: density at
 // the nodes, multiplied by the matrix of running integrals of the interpolating polynomial, is the optical depth at the nodes.
 //
-// The including kernel declares atm, quadrature, transmittance_table and says
-//   SPEC_INT(…, RAY_NODES, …), SPEC_BOOL(…, SINGLE_SCATTERING, …), SPEC_BOOL(…, MULTIPLE_SCATTERING, …)
-// and provides vec3 multiple_scattering(...) by multi_scatter.glsl.
+// The including kernel declares atm, quadrature and transmittance_table, or instead of the last includes
+// transmittance/by_quadrature.glsl or what does the same; a multi_scatter_table, if MULTIPLE_SCATTERING may be true; and says
+//   SPEC_INT(…, RAY_NODES, …), SPEC_BOOL(…, SINGLE_SCATTERING, …), SPEC_BOOL(…, MULTIPLE_SCATTERING, …).
 #ifndef AUREOLE_MARCH_GLSL
 #define AUREOLE_MARCH_GLSL
 
@@ -20,6 +20,7 @@
 #include "multi_scatter/multi_scatter.glsl"
 #include "transmittance/transmittance.glsl"
 
+#ifdef AUREOLE_TRANSMITTANCE_TABLE
 // Optical depth between two points of a ray from the table: on the way up the difference of their depths to the top, on the way
 // down the same of the reversed ray. For pieces that scatter nothing towards the camera it is cheaper than nodes, and as good.
 vec3 dark_depth(Ray ray, real t0, real t1, bool upwards) {
@@ -31,6 +32,9 @@ vec3 dark_depth(Ray ray, real t0, real t1, bool upwards) {
                          : optical_depth_to_top(h1, -mu1) - optical_depth_to_top(h0, -mu0);
     return max(depth, vec3(real(0)));
 }
+#else
+vec3 dark_depth(Ray ray, real t0, real t1, bool upwards) { return column(ray.altitude, ray.mu, t0, t1, upwards); }
+#endif
 
 // Places the nodes of a piece by the air at its dense end.
 RayMap piece_map(Ray ray, real t0, real t1, bool dense_end) {
@@ -103,8 +107,10 @@ void march_piece(Ray ray, real t0, real t1, bool dense_end, bool lit, INOUT(RayL
             vec3 beam = transmittance * transmittance_to_top(h, mu_s);
             for (int c = 0; c < PHASE_COUNT; ++c) single[c] += beam * scattering[c];
         }
+#ifdef AUREOLE_MULTI_SCATTER_TABLE
         if (MULTIPLE_SCATTERING)
             multiple += transmittance * scattered_diffuse(h, view_mu_after(ray, t, h), mu_s, ray.nu, scattering);
+#endif
         ++k;
     } while (k < RAY_NODES);
     // What a piece catches is known: 1 - exp(-whole). In thick air a few nodes miss it, by either sign, and where the fixed point of

@@ -4,6 +4,7 @@
 
 #include "common/constants.glsl"
 #include "common/geometry.glsl"
+#include "common/horizon.glsl"
 
 SPEC_INT(24, RAY_KIND, 0)  // 0 matrix, 1 panorama, 2 fisheye: as aureole::Projection
 
@@ -57,8 +58,7 @@ ViewDirection view_direction(vec3 direction) {
     return v;
 }
 
-// Sine of the angle by which a direction lies above the ground's horizon.
-real sine_above_horizon(ViewDirection v) { return v.mu * view.horizon.x + v.sine * view.horizon.y; }
+real sine_above_horizon(ViewDirection v) { return sine_above_horizon(v.mu, v.sine); }
 
 // Distance at which a camera above the air enters it, 0 inside it, -1 if the ray misses it.
 real distance_to_air(ViewDirection v) {

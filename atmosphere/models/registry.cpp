@@ -2,6 +2,9 @@
 #include "common/check.h"
 
 #include <aureole/models/aureole.h>
+#include <aureole/models/fog.h>
+#include <aureole/models/single.h>
+#include <aureole/models/single_lut.h>
 
 #include <array>
 #include <string>
@@ -17,6 +20,10 @@ struct Entry {
 };
 
 constexpr std::array entries{
+    Entry{"fog", [](std::string_view quality) { return models::fog(models::FogSettings::by_name(quality)); }},
+    Entry{"single", [](std::string_view quality) { return models::single(models::SingleSettings::by_name(quality)); }},
+    Entry{"single-lut",
+          [](std::string_view quality) { return models::single_lut(models::SingleLutSettings::by_name(quality)); }},
     Entry{"aureole", [](std::string_view quality) { return models::aureole(QualitySettings::by_name(quality)); }},
 };
 

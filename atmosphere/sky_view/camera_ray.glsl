@@ -2,6 +2,9 @@
 #ifndef AUREOLE_CAMERA_RAY_GLSL
 #define AUREOLE_CAMERA_RAY_GLSL
 
+#include "common/geometry.glsl"
+#include "common/horizon.glsl"
+
 // A ray of the camera, at the angle a above or below the horizon, moved to where it enters the shell if the camera is above it.
 // Given is sin(a / 2) >= 0: with it and the dip's cosine and sine no trigonometric function is needed, whose inverses devices
 // compute to four digits only. The horizon belongs to both sides: above it its ray goes on to the top, below it it ends on the
@@ -44,6 +47,15 @@ Ray camera_ray(real half_sine, bool below, real azimuth_cosine, int sun) {
     real tangent = horizon_distance(ray.altitude);
     real root = sqrt(max(squares_apart(lowest, real(0)), real(0)));
     ray.end = below ? tangent * tangent / max(to_lowest + root, real(1e-20)) : distance_to_top(ray.altitude, ray.mu);
+    return ray;
+}
+
+// The same for a direction by the cosine and sine of its zenith angle and the cosine of its azimuth from the sun's. Of no length
+// where a camera above the air looks past it.
+Ray camera_ray_towards(real mu, real sine, real azimuth_cosine, int sun) {
+    bool below = sine_above_horizon(mu, sine) < 0;
+    Ray ray = camera_ray(min(real(0.5) * chord_to_horizon(mu, sine), real(1)), below, azimuth_cosine, sun);
+    if (view.camera.w > real(0.5) && mu >= 0) ray.end = real(0);
     return ray;
 }
 

@@ -11,6 +11,7 @@
 #ifndef AUREOLE_SKY_VIEW_GLSL
 #define AUREOLE_SKY_VIEW_GLSL
 
+#include "common/horizon.glsl"
 #include "common/specialization.glsl"
 #include "phase/phase.glsl"
 
@@ -26,8 +27,7 @@ int sky_view_layers() { return sharp_layer(MAX_PHASES); }  // of a sun
 int sky_view_all_layers() { return SUN_COUNT * sky_view_layers() + 1; }
 
 // Position in [0, 1] on a side: the square root of the chord between the direction and the horizon below or above it,
-// 2 sin(angle / 2), over the greatest that occurs. The chord costs a pixel no inverse trigonometry: with the direction's
-// parts (sine, mu) and the horizon's (cos dip, -sin dip) its square is (sine - cos dip)^2 + (mu + sin dip)^2, exact at the horizon.
+// 2 sin(angle / 2), over the greatest that occurs (common/horizon.glsl).
 // Upper side: from the horizon to the zenith, or from space to the limb of the top; lower side: to the nadir.
 real sky_view_half_sine(real position, bool below) {  // sin(angle / 2)
     real greatest = 1 / (below ? view.horizon.w : view.horizon.z);
@@ -53,10 +53,8 @@ real clamp_within_layer(real row, int rows) {
 // Texture coordinates of layer 0 of a sun for a direction: cosine and sine of its zenith angle, cosine of its azimuth from the
 // sun's. z: what radiances are to be multiplied by: the inverse of the table's exposure; 0 where a camera in space looks past the air.
 vec3 sky_view_coordinates(int sun, real mu, real sine, real azimuth_cosine) {
-    bool below = mu * view.horizon.x + sine * view.horizon.y < 0;
-    real across = sine - view.horizon.x;
-    real along = mu + view.horizon.y;
-    real part = sqrt(across * across + along * along) * (below ? view.horizon.w : view.horizon.z);
+    bool below = sine_above_horizon(mu, sine) < 0;
+    real part = chord_to_horizon(mu, sine) * (below ? view.horizon.w : view.horizon.z);
     ivec2 size = textureSize(sky_view_table, 0);
     int rows = size.y / sky_view_all_layers();
     int half_rows = rows / 2;

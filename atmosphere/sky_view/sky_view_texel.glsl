@@ -1,9 +1,23 @@
-// One texel of the sky-view table, whichever way the ray is marched: needs RayLight march(Ray), sky_view.glsl.
+// One texel of the sky-view table, whichever way the ray is marched: needs sky_view.glsl and RayLight march(Ray), or another
+// function that AUREOLE_SKY_VIEW_MARCH names.
 #ifndef AUREOLE_SKY_VIEW_TEXEL_GLSL
 #define AUREOLE_SKY_VIEW_TEXEL_GLSL
 
 #include "common/ground.glsl"
 #include "sky_view/camera_ray.glsl"
+
+#ifndef AUREOLE_SKY_VIEW_MARCH
+#define AUREOLE_SKY_VIEW_MARCH march
+#endif
+
+// What lights the ground: the sun's beam and, where multiple scattering is known, the sky.
+vec3 ground_irradiance(real mu_s) {
+    vec3 irradiance = ground_beam_irradiance(mu_s);
+#ifdef AUREOLE_MULTI_SCATTER_TABLE
+    irradiance += ground_diffuse_irradiance(mu_s);
+#endif
+    return irradiance;
+}
 
 void sky_view_texel(ivec2 id) {
     ivec2 size = imageSize(sky_view_out);
@@ -17,11 +31,11 @@ void sky_view_texel(ivec2 id) {
     real half_sine = sky_view_half_sine(position, below);
 
     Ray ray = camera_ray(half_sine, below, sky_view_azimuth_cosine(texel_to_unit(id.x, size.x)), sun);
-    RayLight light = march(ray);
+    RayLight light = AUREOLE_SKY_VIEW_MARCH(ray);
     vec3 radiance = light.multiple;
     if (below) {
         real ground_mu_s = sun_mu_after(ray, ray.end, real(0));
-        radiance += ground_radiance(light.depth, ground_beam_irradiance(ground_mu_s) + ground_diffuse_irradiance(ground_mu_s));
+        radiance += ground_radiance(light.depth, ground_irradiance(ground_mu_s));
     }
     real exposure = view.table_exposure[sun];
     int base = sun * sky_view_layers() * rows + row;

@@ -36,7 +36,12 @@ vec3 optical_depth_to_top(real altitude, real mu) {
     ivec2 size = textureSize(transmittance_table, 0);
     return vec3(SAMPLE(transmittance_table, vec2(unit_to_texture(position.x, size.x), unit_to_texture(position.y, size.y))));
 }
+#define AUREOLE_OPTICAL_DEPTH_TO_TOP
+#endif
 
+// From the table, or from an optical_depth_to_top of the kernel's own, which says `#define AUREOLE_OPTICAL_DEPTH_TO_TOP` before
+// this file is included.
+#ifdef AUREOLE_OPTICAL_DEPTH_TO_TOP
 vec3 transmittance_to_top(real altitude, real mu) { return exp(-optical_depth_to_top(altitude, mu)); }
 
 // To the sun, a point: 0 behind the ground.

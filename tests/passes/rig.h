@@ -2,6 +2,7 @@
 #pragma once
 
 #include <aureole/atmosphere.h>
+#include <aureole/models/aureole.h>
 #include <aureole/presets.h>
 
 #include <functional>
@@ -19,6 +20,7 @@ namespace aureole::passes {
 struct Setup {
     AtmosphereParameters air = presets::earth();
     QualitySettings quality = small_quality();
+    ModelPtr model = nullptr;  ///< Null: the model `aureole` with `quality`.
     ViewSettings view{};
     CompositeSettings composite{};
 };

@@ -82,7 +82,7 @@ DensityTerm even_term(const Rgb& scattering_per_m, const Rgb& absorption_per_m, 
 Sky::Sky(Machine& machine, const AtmosphereParameters& parameters, const SkyOptions& options)
     : machine_(machine),
       suns_(options.suns),
-      air_(machine.device(), parameters, options.quality),
+      air_(machine.device(), parameters, options.model ? options.model : models::aureole(options.quality)),
       view_(air_, sky_settings(options), sky_composite(options)) {
     targets_.extent = sky_extent;
     targets_.target = machine.texture("radiance", rhi::Format::rgba32_float, sky_extent, target_usage);
@@ -150,10 +150,10 @@ std::vector<glm::dvec4> Sky::light() {
     return machine_.read(view_.light_table(), std::size_t{10} * suns_, rhi::State::sampled);
 }
 
-Picture::Picture(Machine& machine, const AtmosphereParameters& parameters, const QualitySettings& quality, double last_slice_m,
+Picture::Picture(Machine& machine, const AtmosphereParameters& parameters, const ModelPtr& model, double last_slice_m,
                  std::uint32_t suns)
     : machine_(machine),
-      air_(machine.device(), parameters, quality),
+      air_(machine.device(), parameters, model),
       view_(air_, picture_settings(last_slice_m, suns), picture_composite()) {
     targets_.extent = {width, height, 1};
     targets_.target = machine.texture("picture", rhi::Format::rgba32_float, targets_.extent, target_usage);

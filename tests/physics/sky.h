@@ -2,6 +2,7 @@
 #pragma once
 
 #include <aureole/atmosphere.h>
+#include <aureole/models/aureole.h>
 #include <aureole/presets.h>
 
 #include "physics/machine.h"
@@ -30,6 +31,7 @@ inline constexpr double degree = pi / 180;
 
 struct SkyOptions {
     QualitySettings quality = fine();
+    ModelPtr model = nullptr;  ///< Null: the model `aureole` with `quality`.
     bool sun_disk = false;
     double beyond = 0;  ///< Radiance of what lies behind the air, in all directions.
     bool light = false;
@@ -74,8 +76,12 @@ class Picture {
 public:
     static constexpr std::uint32_t width = 16, height = 12;
 
-    Picture(Machine& machine, const AtmosphereParameters& parameters, const QualitySettings& quality, double last_slice_m,
+    Picture(Machine& machine, const AtmosphereParameters& parameters, const ModelPtr& model, double last_slice_m,
             std::uint32_t suns = 1);
+    /// The model `aureole`.
+    Picture(Machine& machine, const AtmosphereParameters& parameters, const QualitySettings& quality, double last_slice_m,
+            std::uint32_t suns = 1)
+        : Picture(machine, parameters, models::aureole(quality), last_slice_m, suns) {}
     ~Picture();
     Picture(const Picture&) = delete;
     Picture& operator=(const Picture&) = delete;

@@ -2,6 +2,7 @@
 #include "common/check.h"
 
 #include <aureole/models/aureole.h>
+#include <aureole/models/hillaire.h>
 
 #include <array>
 #include <string>
@@ -13,11 +14,15 @@ using Make = ModelPtr (*)(std::string_view quality);
 
 struct Entry {
     std::string_view name;
+    std::string_view summary;
     Make make;
 };
 
 constexpr std::array entries{
-    Entry{"aureole", [](std::string_view quality) { return models::aureole(QualitySettings::by_name(quality)); }},
+    Entry{"hillaire", "Hillaire 2020 as published: isotropic multiple scattering of all orders, sky-view table, froxels",
+          [](std::string_view quality) { return models::hillaire(HillaireSettings::by_name(quality)); }},
+    Entry{"aureole", "ours: spectral quadrature, multiple scattering that keeps its direction",
+          [](std::string_view quality) { return models::aureole(QualitySettings::by_name(quality)); }},
 };
 
 constexpr auto names = [] {
@@ -26,17 +31,21 @@ constexpr auto names = [] {
     return result;
 }();
 
+const Entry& entry_of(std::string_view name) {
+    std::string known;
+    for (const Entry& entry : entries) {
+        if (entry.name == name) return entry;
+        known.append(known.empty() ? "" : ", ").append(entry.name);
+    }
+    detail::reject("model", std::string("\"").append(name).append("\""), "one of " + known);
+}
+
 }  // namespace
 
 std::span<const std::string_view> model_names() { return names; }
 
-ModelPtr model_by_name(std::string_view name, std::string_view quality) {
-    std::string known;
-    for (const Entry& entry : entries) {
-        if (entry.name == name) return entry.make(quality);
-        known += (known.empty() ? "" : ", ") + std::string(entry.name);
-    }
-    detail::reject("model", "\"" + std::string(name) + "\"", "one of " + known);
-}
+std::string_view model_summary(std::string_view name) { return entry_of(name).summary; }
+
+ModelPtr model_by_name(std::string_view name, std::string_view quality) { return entry_of(name).make(quality); }
 
 }  // namespace aureole

@@ -12,21 +12,21 @@ namespace {
     throw Error(ErrorCode::unsupported, what, has, needed);
 }
 
-void require_table(const rhi::Device& device, rhi::Format format, rhi::Dimension dimension, bool filtered = true) {
+}  // namespace
+
+void require_table(const rhi::Device& device, rhi::Format format, rhi::Dimension dimension, bool filtered) {
     const rhi::FormatSupport support = device.format_support(format, dimension);
     if (support.sampled && (support.linear_filter || !filtered) && support.storage) return;
     const auto word = [](bool yes, const char* text) { return std::string(yes ? "" : "no ") + text; };
     missing(std::string("device format ") + rhi::to_string(format) + " (" + rhi::to_string(dimension) + ")",
             word(support.sampled, "sampling") + ", " + word(support.linear_filter, "linear filter") + ", " +
                 word(support.storage, "storage"),
-            "sampling, linear filter and storage; another table format can be chosen in QualitySettings");
+            "sampling, linear filter and storage; another table format can be chosen in the model's settings");
 }
 
 void require_size(const char* what, std::uint32_t limit, std::uint32_t needed) {
     if (limit < needed) missing(what, std::to_string(limit), "at least " + std::to_string(needed) + " texels a side");
 }
-
-}  // namespace
 
 void require_device(const rhi::Device& device) {
     const rhi::Capabilities& capabilities = device.capabilities();
@@ -45,20 +45,17 @@ void require_tables(const rhi::Device& device, const QualitySettings& quality) {
     require_table(device, quality.froxel_format, rhi::Dimension::d3);
     const std::uint32_t moments = moment_count(quality.angular_order);
     const auto directions = static_cast<std::uint32_t>(2 * quality.multi_scatter_zenith * quality.multi_scatter_azimuth);
-    const bool published = quality.sampling == Sampling::published_2020;
-    const std::uint32_t rays =
-        published ? 2 * quality.multi_scatter.width * quality.multi_scatter.height : quality.multi_scatter.height * directions;
     const std::uint32_t widest =
         std::max({quality.transmittance.width, quality.transmittance.height, quality.multi_scatter.width,
-                  quality.multi_scatter.height * moments + 1, quality.sky_view.width, quality.sky_view.height, rays});
+                  quality.multi_scatter.height * moments + 1, quality.sky_view.width, quality.sky_view.height,
+                  quality.multi_scatter.height * directions});
     require_size("device.max_texture_2d", capabilities.max_texture_2d, widest);
     require_size(
         "device.max_texture_3d", capabilities.max_texture_3d,
         std::max({quality.aerial_perspective.width, quality.aerial_perspective.height, quality.aerial_perspective.depth}));
 }
 
-void require_view(const rhi::Device& device, const QualitySettings& quality, std::uint32_t suns, std::uint32_t layers_per_sun,
-                  bool froxels) {
+void require_view(const rhi::Device& device, const ViewTableSizes& sizes, std::uint32_t suns, std::uint32_t layers_per_sun) {
     const std::uint32_t layers = suns * layers_per_sun + 1;
     const auto require_rows = [&](const char* field, std::uint32_t height, const char* limit_name, std::uint32_t limit) {
         if (std::uint64_t{height} * layers <= limit) return;
@@ -67,10 +64,8 @@ void require_view(const rhi::Device& device, const QualitySettings& quality, std
                     std::to_string(layers) + " layers), or fewer suns");
     };
     const rhi::Capabilities& capabilities = device.capabilities();
-    require_rows("sky_view.height", quality.sky_view.height, "device.max_texture_2d", capabilities.max_texture_2d);
-    if (froxels)
-        require_rows("aerial_perspective.height", quality.aerial_perspective.height, "device.max_texture_3d",
-                     capabilities.max_texture_3d);
+    require_rows("sky_view.height", sizes.sky_view_height, "device.max_texture_2d", capabilities.max_texture_2d);
+    require_rows("aerial_perspective.height", sizes.froxels_height, "device.max_texture_3d", capabilities.max_texture_3d);
 }
 
 void require_target(const rhi::Device& device, const CompositeSettings& settings) {

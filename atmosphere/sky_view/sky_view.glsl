@@ -34,13 +34,14 @@ real sky_view_half_sine(real position, bool below) {  // sin(angle / 2)
     return min(real(0.5) * greatest * position * position, real(1));
 }
 
-// x position of an azimuth with cosine c, and the cosine at a position. The published 2020 table uses sin(azimuth / 2).
-SPEC_BOOL(7, PUBLISHED_AZIMUTH, false)
+// x position of an azimuth with cosine c, and the cosine at a position. Tables of models with another axis than the cosine have
+// Hillaire's: sin(azimuth / 2).
+SPEC_BOOL(7, HALF_ANGLE_AZIMUTH, false)
 real sky_view_azimuth_position(real azimuth_cosine) {
     real x = clamp(real(0.5) - real(0.5) * azimuth_cosine, real(0), real(1));
-    return PUBLISHED_AZIMUTH ? sqrt(x) : x;
+    return HALF_ANGLE_AZIMUTH ? sqrt(x) : x;
 }
-real sky_view_azimuth_cosine(real position) { return 1 - 2 * (PUBLISHED_AZIMUTH ? position * position : position); }
+real sky_view_azimuth_cosine(real position) { return 1 - 2 * (HALF_ANGLE_AZIMUTH ? position * position : position); }
 
 // Keeps a row of a layer, 0 to rows - 1, a little off both ends. Coordinates of a stacked texture are rounded: at an end they would
 // let in a trace of the next layer, and a trace of the horizon's optical depth times the peak of a phase function is a bright dot.
@@ -49,14 +50,19 @@ real clamp_within_layer(real row, int rows) {
     return clamp(row, margin, real(rows - 1) - margin);
 }
 
+// Chord between a direction, given by cosine and sine of its zenith angle, and the horizon below or above it.
+real horizon_chord(real mu, real sine) {
+    real across = sine - view.horizon.x;
+    real along = mu + view.horizon.y;
+    return sqrt(across * across + along * along);
+}
+
 #ifdef AUREOLE_SKY_VIEW_TABLE
 // Texture coordinates of layer 0 of a sun for a direction: cosine and sine of its zenith angle, cosine of its azimuth from the
 // sun's. z: what radiances are to be multiplied by: the inverse of the table's exposure; 0 where a camera in space looks past the air.
 vec3 sky_view_coordinates(int sun, real mu, real sine, real azimuth_cosine) {
     bool below = mu * view.horizon.x + sine * view.horizon.y < 0;
-    real across = sine - view.horizon.x;
-    real along = mu + view.horizon.y;
-    real part = sqrt(across * across + along * along) * (below ? view.horizon.w : view.horizon.z);
+    real part = horizon_chord(mu, sine) * (below ? view.horizon.w : view.horizon.z);
     ivec2 size = textureSize(sky_view_table, 0);
     int rows = size.y / sky_view_all_layers();
     int half_rows = rows / 2;

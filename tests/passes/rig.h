@@ -19,6 +19,7 @@ namespace aureole::passes {
 struct Setup {
     AtmosphereParameters air = presets::earth();
     QualitySettings quality = small_quality();
+    ModelPtr model{};  ///< Null: aureole with `quality`.
     ViewSettings view{};
     CompositeSettings composite{};
 };

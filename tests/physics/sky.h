@@ -30,6 +30,7 @@ inline constexpr double degree = pi / 180;
 
 struct SkyOptions {
     QualitySettings quality = fine();
+    ModelPtr model{};  ///< Null: aureole with `quality`.
     bool sun_disk = false;
     double beyond = 0;  ///< Radiance of what lies behind the air, in all directions.
     bool light = false;

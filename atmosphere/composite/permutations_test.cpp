@@ -4,7 +4,7 @@
 #include "composite/composite.h"
 
 #include "light/light.h"
-#include "models/aureole/aureole.h"
+#include "models/model.h"
 #include "module/air.h"
 
 #include <doctest/doctest.h>
@@ -94,20 +94,12 @@ struct Tables {
           shared{*objects, air.shared, block, settings.max_suns, settings.projection},
           model(air.model->make_view(shared, settings)),
           light(shared, model->kernels(), settings.light) {}
-    [[nodiscard]] detail::AureoleView& tables() { return dynamic_cast<detail::AureoleView&>(*model); }
     std::unique_ptr<detail::Objects> objects;
     detail::TrackedBuffer block;
     detail::ViewResources shared;
     std::unique_ptr<detail::ModelView> model;
     detail::LightPass light;
 };
-
-void fill(Backend& backend, detail::TrackedTexture& table) {
-    Image image{backend.device().desc(table.handle).extent, {}};
-    image.texels.assign(std::size_t{image.extent.width} * image.extent.height * image.extent.depth, glm::dvec4(0.25));
-    backend.write(table.handle, image);
-    table.state = rhi::State::sampled;
-}
 
 /// The host's textures for every permutation: one of each kind, of one size.
 struct HostTextures {
@@ -251,14 +243,14 @@ TEST_CASE("composite: on Vulkan every two choices meet in a pipeline that draws"
         detail::CompositePass pass(tables.shared, tables.model->kernels(), composite_of(p));
         const CompositeTargets targets = host.targets(p);
         pass.prepare(targets);
-        // Tables of one colour: what a view fills them with, and what is shown then, other tests look at.
-        fill(*backend, tables.tables().sky_view());
-        if (p[froxels] == 1) fill(*backend, tables.tables().aerial_perspective().table());
+        // What stands in the tables of such a view, and what is shown then, other tests look at.
+        std::vector<PassReport> reports(tables.model->passes().size());
+        for (std::size_t i = 0; i < reports.size(); ++i) reports[i].name = tables.model->passes()[i];
         PassReport report;
         report.name = "composite";
         backend->run([&](rhi::CommandList& commands) {
             detail::update_block(commands, tables.block, detail::ViewBlock{});
-            tables.tables().aerial_perspective().prepare(commands);
+            tables.model->record(commands, reports, {});
             pass.record(commands, targets, 0, report, {}, 3);
         });
         CHECK(report.recorded);

@@ -221,6 +221,7 @@ std::string View::shader_defines() const {
     std::string text;
     const detail::ModelView& model = *impl_->tables->model;
     detail::Specialize constants = impl_->tables->shared.specialize();
+    constants.set(7, false);  // the azimuth axis of sky_view.glsl, where the model does not say otherwise
     for (const rhi::Specialization& s : model.kernels().specialization) constants.set(s);
     constants.set(25,
                   model.kernels().aerial_perspective && model.aerial_perspective_table());  // HAS_FROXELS of host/aureole.glsl

@@ -25,7 +25,7 @@ Sun second_sun() {
 }
 
 /// Its tables have another axis of azimuth, and no layers for sharp phase functions.
-ModelPtr small_hillaire() {
+ModelPtr hillaire_in_float() {
     HillaireSettings settings = HillaireSettings::low();
     settings.table_format = settings.froxel_format = rhi::Format::rgba32_float;
     return models::hillaire(settings);
@@ -60,7 +60,7 @@ std::vector<Scene> scenes() {
                               scene_of("hillaire", "earth", 2000, {passes::sun_at(5)})};
     all[6].setup.air = tabulated_haze();
     all[6].camera.kind = all[6].setup.view.projection = Projection::fisheye;
-    all[7].setup.model = small_hillaire();
+    all[7].setup.model = hillaire_in_float();
     return all;
 }
 

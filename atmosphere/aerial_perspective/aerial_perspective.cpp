@@ -1,40 +1,51 @@
 #include "aerial_perspective/aerial_perspective.h"
 
-#include "aureole_atmosphere_shaders.h"
-
 #include <array>
+#include <cstring>
 
 namespace aureole::detail {
 
-AerialPerspectivePass::AerialPerspectivePass(TableViewResources& shared, bool enabled) : enabled_(enabled) {
+namespace {
+
+ViewBlock for_froxels(ViewBlock block) {
+    block.composite = glm::vec4(0);
+    for (int sun = 0; sun < max_suns; ++sun)
+        block.sun_irradiance[sun] = block.sun_disk[sun] = block.sun_limb[sun] = glm::vec4(0);
+    return block;
+}
+
+}  // namespace
+
+bool same_froxels(const ViewBlock& a, const ViewBlock& b) {
+    const ViewBlock one = for_froxels(a), other = for_froxels(b);
+    return std::memcmp(&one, &other, sizeof one) == 0;
+}
+
+AerialPerspectivePass::AerialPerspectivePass(TableViewResources& shared, const TableKernel& kernel, FroxelWork work,
+                                             bool enabled)
+    : enabled_(enabled), shader_(kernel.shader) {
     Objects& objects = shared.objects;
-    const QualitySettings& quality = shared.air.quality;
-    const bool published = quality.sampling == Sampling::published_2020;
-    const rhi::Extent size = quality.aerial_perspective;
+    const rhi::Extent size = kernel.size;
     rhi::Extent extent;
-    if (enabled) extent = {size.width, size.height * (1 + shared.suns * shared.layers_per_sun()), size.depth};
+    if (enabled) extent = {size.width, size.height * (1 + shared.suns * shared.layers_per_sun), size.depth};
     const rhi::Usage written = enabled ? rhi::Usage::storage : rhi::Usage::copy_destination;
-    table_ = objects.texture(
-        {"aerial_perspective", rhi::Dimension::d3, quality.froxel_format, extent, rhi::Usage::sampled | written});
+    table_ = objects.texture({"aerial_perspective", rhi::Dimension::d3, kernel.format, extent, rhi::Usage::sampled | written});
     if (!enabled) {
         const std::array<std::byte, 16> black{};
-        stand_in_ =
-            objects.upload("aerial_perspective stand-in", std::span(black.data(), rhi::bytes_per_texel(quality.froxel_format)));
+        stand_in_ = objects.upload("aerial_perspective stand-in", std::span(black.data(), rhi::bytes_per_texel(kernel.format)));
         return;
     }
 
-    // Ours: one invocation a column. Published: one a froxel.
-    invocations_ = {size.width, size.height * shared.suns, published ? size.depth : 1};
-    shader_ = published ? &shaders::aerial_perspective_2020 : &shaders::aerial_perspective;
-    pipeline_ = objects.compute(*shader_, shared.specialize().set(8, quality.aerial_perspective_nodes).values());
-    bindings_ = objects.bindings("aerial_perspective", pipeline_,
-                                 {{0, {}, {}, shared.air.block.handle},
+    invocations_ = {size.width, size.height * shared.suns, work == FroxelWork::froxel ? size.depth : 1};
+    pipeline_ = objects.compute(*shader_, shared.specialize_tables().set(8, kernel.nodes).values());
+    const rhi::Binding slots[] = {{0, {}, {}, shared.air.block.handle},
                                   {2, shared.air.profile_table.handle, shared.air.nearest, {}},
                                   {3, shared.transmittance.handle, shared.air.linear, {}},
                                   {4, shared.multi_scatter.handle, shared.air.linear, {}},
                                   {5, {}, {}, shared.block.handle},
                                   {6, table_.handle, {}, {}},
-                                  {7, shared.air.phase_table.handle, shared.air.nearest, {}}});
+                                  {7, shared.air.phase_table.handle, shared.air.nearest, {}}};
+    bindings_ = objects.bindings("aerial_perspective", pipeline_, bindings_of(*shader_, slots));
 }
 
 void AerialPerspectivePass::prepare(rhi::CommandList& commands) {

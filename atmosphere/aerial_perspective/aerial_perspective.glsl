@@ -28,7 +28,7 @@ vec3 froxel_layer(vec3 position, int layer, ivec3 size, int rows) {
 }
 
 // (x, y) of the target in [0, 1]^2; distance in the air, km; direction in world axes. Beyond the last slice: as there.
-AerialPerspective aerial_perspective(real x, real y, real distance_km, vec3 direction) {
+AerialPerspective froxel_aerial_perspective(real x, real y, real distance_km, vec3 direction) {
     ivec3 size = textureSize(aerial_perspective_table, 0);
     int rows = size.y / froxel_layers();
     vec3 position = vec3(clamp(x, real(0), real(1)), clamp(y, real(0), real(1)),

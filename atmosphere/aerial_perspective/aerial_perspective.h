@@ -5,10 +5,17 @@
 
 namespace aureole::detail {
 
+/// What an invocation of the kernel does.
+enum class FroxelWork : std::uint8_t { column, froxel };
+
+/// Whether the froxels are the same for both blocks: they depend neither on how bright and large the suns are, nor on how the
+/// picture is shown.
+[[nodiscard]] bool same_froxels(const ViewBlock& a, const ViewBlock& b);
+
 class AerialPerspectivePass {
 public:
     /// `enabled` false: a texture of one black texel stands in for the froxels, and there is nothing to record but prepare().
-    AerialPerspectivePass(TableViewResources& shared, bool enabled);
+    AerialPerspectivePass(TableViewResources& shared, const TableKernel& kernel, FroxelWork work, bool enabled);
 
     void record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
     /// Fills the stand-in, once.

@@ -74,10 +74,10 @@ constexpr std::uint32_t layers = 2 * suns + 1;  // one sharp phase function each
 template <class real>
 class Axes {
 public:
-    explicit Axes(const Planet& planet, rhi::Extent sky_view = {2, 4, 1}, bool published = false)
+    explicit Axes(const Planet& planet, rhi::Extent sky_view = {2, 4, 1}, bool half_angle = false)
         : planet_(planet),
           bindings_{{{}, {}, {.extent = {sky_view.width, sky_view.height * layers, 1}}, {}}},
-          constants_{{{5, 2}, {6, suns}, {7, published ? 1U : 0U}, {3, 2}}} {
+          constants_{{{5, 2}, {6, suns}, {7, half_angle ? 1U : 0U}, {3, 2}}} {
         AtmosphereParameters air = presets::airless();
         air.planet = planet;
         const auto exact = detail::pack_exact(air).block;
@@ -86,9 +86,8 @@ public:
         } else {
             set(kernel.atm, detail::round_block<detail::AtmosphereBlock>(exact));
         }
-        kernel.atm.tables.z = published ? 0 : 3;  // low air stretches the axis of altitude
-        kernel.atm.sun_mapping =
-            glm::vec<4, real>(detail::sun_mapping(planet, published ? Sampling::published_2020 : Sampling::gauss));
+        kernel.atm.tables.z = 3;  // low air stretches the axis of altitude
+        kernel.atm.sun_mapping = glm::vec<4, real>(detail::sun_mapping(planet));
     }
 
     void stand(double altitude_m) {
@@ -206,9 +205,10 @@ TEST_CASE_TEMPLATE("axes: sun cosine and altitude of the multi-scatter table and
     constexpr double ends_rounding = 1e-7;
     Largest sun, altitude, mu, end;
     for (const World& world : worlds())
-        for (const bool published : {false, true}) {
-            Axes<real> axes(world.planet, {2, 4, 1}, published);
+        for (const real stretch : {real(0), real(3)}) {
+            Axes<real> axes(world.planet);
             auto& kernel = axes.kernel;
+            kernel.atm.tables.z = stretch;
             for (const int size : {2, 7, 24, 33, 256})
                 for (int i = 0; i < size; ++i) {
                     const real position = kernel.texel_to_unit(i, size);
@@ -235,16 +235,16 @@ TEST_CASE_TEMPLATE("axes: sun cosine and altitude of the multi-scatter table and
         }
     CHECK_LARGEST(sun, rounding<real>(4) + ends_rounding);
     CHECK_LARGEST(altitude, rounding<real>(4));
-    CHECK_LARGEST(mu, rounding<real>(16));  // the width of the axis is a tenth of the cosines' range, or a thousand times it
+    CHECK_LARGEST(mu, rounding<real>(16));
     CHECK_LARGEST(end, rounding<real>(2) + ends_rounding);
 }
 
 TEST_CASE_TEMPLATE("axes: every texel of the sky-view table is where its direction is looked up", real, float, double) {
     Largest across, along;
     for (const World& world : worlds())
-        for (const bool published : {false, true})
+        for (const bool half_angle : {false, true})
             for (const rhi::Extent& size : {rhi::Extent{32, 192, 1}, {7, 50, 1}, {16, 16, 1}, {100, 4, 1}}) {
-                Axes<real> axes(world.planet, size, published);
+                Axes<real> axes(world.planet, size, half_angle);
                 auto& kernel = axes.kernel;
                 const double shell = world.planet.top_radius_m - world.planet.bottom_radius_m;
                 for (const double altitude : {0.0, 0.01, 2.0, 0.5 * shell, shell - 0.1, shell + 0.1, 2 * shell, 1e6}) {

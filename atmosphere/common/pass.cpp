@@ -108,6 +108,10 @@ void update(rhi::CommandList& commands, TrackedBuffer& buffer, std::span<const s
     buffer.state = rhi::State::constants;
 }
 
+bool TableKernel::has_quadrature() const {
+    return std::any_of(shader->slots.begin(), shader->slots.end(), [](const rhi::SlotDesc& slot) { return slot.slot == 1; });
+}
+
 PassScope::PassScope(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index)
     : commands_(commands), report_(report), timestamps_(timestamps), index_(index) {
     report_.recorded = true;

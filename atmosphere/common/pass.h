@@ -113,6 +113,17 @@ private:
     std::uint32_t index_;
 };
 
+/// A kernel that fills one table.
+struct TableKernel {
+    const rhi::Shader* shader;
+    rhi::Extent size;    ///< Of one layer.
+    rhi::Format format;  ///< Of the table.
+    int nodes;           ///< Constant 8: of its quadrature block if it has one (slot 1), else of whatever it counts.
+
+    /// It wants a quadrature_block of `nodes` in slot 1.
+    [[nodiscard]] bool has_quadrature() const;
+};
+
 /// What the passes of one atmosphere share.
 struct AirResources {
     Objects& objects;

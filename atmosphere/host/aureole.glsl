@@ -88,7 +88,7 @@ AureoleAir aureole_aerial_perspective(real x, real y, real distance_m, vec3 dire
     real entry = distance_to_air(view_direction(direction));
     real distance_km = distance_m * real(0.001) - entry;
     if (entry < 0 || distance_km < 0) return air;
-    AerialPerspective froxel = aerial_perspective(x, y, distance_km, direction);
+    AerialPerspective froxel = froxel_aerial_perspective(x, y, distance_km, direction);
     air.transmittance = froxel.transmittance;
     air.radiance = froxel.radiance;
     return air;

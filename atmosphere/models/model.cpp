@@ -1,25 +1,14 @@
 #include "models/model.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace aureole::detail {
 
 Specialize ViewResources::specialize() const {
-    const bool published = air.quality.sampling == Sampling::published_2020;
-    Specialize values(air.air);
-    values.set(6, static_cast<int>(suns))
-        .set(7, published)
+    return Specialize(air.air)
+        .set(6, static_cast<int>(suns))
         .set(9, air.quality.angular_order)
         .set(24, static_cast<int>(projection));
-    // The published tables hold all phase functions applied.
-    if (published) values.set(5, 0);
-    return values;
-}
-
-std::uint32_t ViewResources::layers_per_sun() const {
-    if (air.quality.sampling == Sampling::published_2020) return 1;
-    return 1 + static_cast<std::uint32_t>(std::popcount(air.air.sharp_phases));
 }
 
 std::vector<rhi::Binding> bindings_of(const rhi::Shader& shader, std::span<const rhi::Binding> offered) {

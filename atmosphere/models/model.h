@@ -19,8 +19,6 @@ struct ViewResources {
     Projection projection;
     /// Specialization of every kernel of a view.
     [[nodiscard]] Specialize specialize() const;
-    /// Layers a sun has in tables that keep sharp phase functions apart: 1, and 1 for each of those.
-    [[nodiscard]] std::uint32_t layers_per_sun() const;
 };
 
 /// The kernels that show a model's sky, each with the slots of composite/inputs.glsl or light/inputs.glsl and the model's own.

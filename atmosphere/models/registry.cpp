@@ -3,6 +3,7 @@
 
 #include <aureole/models/aureole.h>
 #include <aureole/models/fog.h>
+#include <aureole/models/hillaire.h>
 #include <aureole/models/single.h>
 #include <aureole/models/single_lut.h>
 
@@ -16,15 +17,21 @@ using Make = ModelPtr (*)(std::string_view quality);
 
 struct Entry {
     std::string_view name;
+    std::string_view summary;
     Make make;
 };
 
 constexpr std::array entries{
-    Entry{"fog", [](std::string_view quality) { return models::fog(models::FogSettings::by_name(quality)); }},
-    Entry{"single", [](std::string_view quality) { return models::single(models::SingleSettings::by_name(quality)); }},
-    Entry{"single-lut",
+    Entry{"fog", "homogeneous air in closed form: no tables, no horizon",
+          [](std::string_view quality) { return models::fog(models::FogSettings::by_name(quality)); }},
+    Entry{"single", "single scattering, marched for each pixel with a nested march to the sun: no tables",
+          [](std::string_view quality) { return models::single(models::SingleSettings::by_name(quality)); }},
+    Entry{"single-lut", "single scattering, marched for each pixel with a table of optical depth",
           [](std::string_view quality) { return models::single_lut(models::SingleLutSettings::by_name(quality)); }},
-    Entry{"aureole", [](std::string_view quality) { return models::aureole(QualitySettings::by_name(quality)); }},
+    Entry{"hillaire", "Hillaire 2020 as published: isotropic multiple scattering of all orders, sky-view table, froxels",
+          [](std::string_view quality) { return models::hillaire(models::HillaireSettings::by_name(quality)); }},
+    Entry{"aureole", "ours: spectral quadrature, multiple scattering that keeps its direction",
+          [](std::string_view quality) { return models::aureole(QualitySettings::by_name(quality)); }},
 };
 
 constexpr auto names = [] {
@@ -33,17 +40,21 @@ constexpr auto names = [] {
     return result;
 }();
 
+const Entry& entry_of(std::string_view name) {
+    std::string known;
+    for (const Entry& entry : entries) {
+        if (entry.name == name) return entry;
+        known.append(known.empty() ? "" : ", ").append(entry.name);
+    }
+    detail::reject("model", std::string("\"").append(name).append("\""), "one of " + known);
+}
+
 }  // namespace
 
 std::span<const std::string_view> model_names() { return names; }
 
-ModelPtr model_by_name(std::string_view name, std::string_view quality) {
-    std::string known;
-    for (const Entry& entry : entries) {
-        if (entry.name == name) return entry.make(quality);
-        known += (known.empty() ? "" : ", ") + std::string(entry.name);
-    }
-    detail::reject("model", "\"" + std::string(name) + "\"", "one of " + known);
-}
+std::string_view model_summary(std::string_view name) { return entry_of(name).summary; }
+
+ModelPtr model_by_name(std::string_view name, std::string_view quality) { return entry_of(name).make(quality); }
 
 }  // namespace aureole

@@ -81,7 +81,7 @@ std::vector<AtmosphereParameters> kinds_of_air() {
 TEST_CASE("all passes: every quality setting, every backend") {
     Backends backends;
     Parts parts;
-    for (const char* name : {"low", "default", "high", "published-2020"}) {
+    for (const char* name : {"low", "default", "high"}) {
         Setup setup;
         setup.quality = QualitySettings::by_name(name);
         setup.composite.target_format = rhi::Format::rgba32_float;

@@ -94,8 +94,7 @@ TEST_CASE("dropped recordings: invalidated tables are made anew, whole, on every
         setup.air = tabulated(0.2);
         setup.view.aerial_perspective = false;
         check_dropped(*backend, setup);
-        setup.quality.sampling = Sampling::published_2020;
-        setup.quality.angular_order = 0;
+        setup.model = model_by_name("hillaire", "low");
         check_dropped(*backend, setup);
     }
 }

@@ -45,12 +45,10 @@ void require_tables(const rhi::Device& device, const QualitySettings& quality) {
     require_table(device, quality.froxel_format, rhi::Dimension::d3);
     const std::uint32_t moments = moment_count(quality.angular_order);
     const auto directions = static_cast<std::uint32_t>(2 * quality.multi_scatter_zenith * quality.multi_scatter_azimuth);
-    const bool published = quality.sampling == Sampling::published_2020;
-    const std::uint32_t rays =
-        published ? 2 * quality.multi_scatter.width * quality.multi_scatter.height : quality.multi_scatter.height * directions;
     const std::uint32_t widest =
         std::max({quality.transmittance.width, quality.transmittance.height, quality.multi_scatter.width,
-                  quality.multi_scatter.height * moments + 1, quality.sky_view.width, quality.sky_view.height, rays});
+                  quality.multi_scatter.height * moments + 1, quality.sky_view.width, quality.sky_view.height,
+                  quality.multi_scatter.height * directions});
     require_size("device.max_texture_2d", capabilities.max_texture_2d, widest);
     require_size(
         "device.max_texture_3d", capabilities.max_texture_3d,
@@ -66,14 +64,12 @@ void require_rows(const char* field, std::uint32_t height, std::uint32_t suns, s
                 std::to_string(layers) + " layers), or fewer suns");
 }
 
-void require_view(const rhi::Device& device, const QualitySettings& quality, std::uint32_t suns, std::uint32_t layers_per_sun,
-                  bool froxels) {
+void require_view(const rhi::Device& device, const ViewTableSizes& sizes, std::uint32_t suns, std::uint32_t layers_per_sun) {
     const rhi::Capabilities& capabilities = device.capabilities();
-    require_rows("sky_view.height", quality.sky_view.height, suns, layers_per_sun, "device.max_texture_2d",
+    require_rows("sky_view.height", sizes.sky_view_height, suns, layers_per_sun, "device.max_texture_2d",
                  capabilities.max_texture_2d);
-    if (froxels)
-        require_rows("aerial_perspective.height", quality.aerial_perspective.height, suns, layers_per_sun,
-                     "device.max_texture_3d", capabilities.max_texture_3d);
+    require_rows("aerial_perspective.height", sizes.froxels_height, suns, layers_per_sun, "device.max_texture_3d",
+                 capabilities.max_texture_3d);
 }
 
 void require_target(const rhi::Device& device, const CompositeSettings& settings) {

@@ -37,39 +37,30 @@ int sharpest_degree(int azimuths) { return std::clamp(2 * azimuths - 3, 2, 11); 
 
 }  // namespace
 
-glm::vec4 sun_mapping(const Planet& planet, Sampling sampling) {
+glm::vec4 sun_mapping(const Planet& planet) {
     const double ratio = planet.bottom_radius_m / planet.top_radius_m;
     const double dip_sine = std::sqrt((1 - ratio) * (1 + ratio));
-    // Published: linear in the cosine, which is the limit of a great width.
-    const double centre = sampling == Sampling::gauss ? -0.2 * dip_sine : 0;
+    const double centre = -0.2 * dip_sine;
     // A thin shell's dip is next to nothing, but the field by day still changes over the whole range of cosines.
-    const double width = sampling == Sampling::gauss ? std::max(0.8 * dip_sine, 0.1) : 1e3;
+    const double width = std::max(0.8 * dip_sine, 0.1);
     const auto axis = [&](double mu) { return (mu - centre) / (width + std::abs(mu - centre)); };
     return {static_cast<float>(centre), static_cast<float>(width), static_cast<float>(axis(-1)), static_cast<float>(axis(1))};
 }
 
 MultiScatterPass::MultiScatterPass(AirResources& shared, TrackedTexture& transmittance, double ratio)
-    : shared_(shared),
-      transmittance_(transmittance),
-      published_(shared.quality.sampling == Sampling::published_2020),
-      ratio_(ratio) {
+    : shared_(shared), transmittance_(transmittance), ratio_(ratio) {
     table_ = shared.objects.texture({"multi_scatter", rhi::Dimension::d2, table_format(shared.objects.device()),
                                      table_extent(shared.quality), table_usage});
-    if (published_)
-        create_published();
-    else
-        create_gauss();
+    create();
 }
 
-int MultiScatterPass::passes_wanted() const noexcept {
-    return published_ ? 1 : passes_for(ratio_, shared_.quality.multi_scatter_orders);
-}
+int MultiScatterPass::passes_wanted() const noexcept { return passes_for(ratio_, shared_.quality.multi_scatter_orders); }
 
 MultiScatterPass::Inputs MultiScatterPass::live() const {
     return {shared_.block.handle, shared_.profile_table.handle, transmittance_.handle};
 }
 
-void MultiScatterPass::create_gauss() {
+void MultiScatterPass::create() {
     Objects& objects = shared_.objects;
     const QualitySettings& quality = shared_.quality;
     const auto directions = static_cast<std::uint32_t>(2 * quality.multi_scatter_zenith * quality.multi_scatter_azimuth);
@@ -102,10 +93,10 @@ void MultiScatterPass::create_gauss() {
                                                                    .set(12, quality.multi_scatter_zenith)
                                                                    .set(13, quality.multi_scatter_azimuth)
                                                                    .values());
-    live_ = bind_gauss(objects, live());
+    live_ = bind(objects, live());
 }
 
-MultiScatterPass::Bindings MultiScatterPass::bind_gauss(Objects& objects, const Inputs& inputs) const {
+MultiScatterPass::Bindings MultiScatterPass::bind(Objects& objects, const Inputs& inputs) const {
     const auto ray_set = [&](rhi::Pipeline pipeline, rhi::Texture source) {
         return objects.bindings("multi_scatter rays", pipeline,
                                 {{0, {}, {}, inputs.block},
@@ -139,35 +130,8 @@ MultiScatterPass::Bindings MultiScatterPass::bind_gauss(Objects& objects, const 
     return sets;
 }
 
-void MultiScatterPass::create_published() {
-    Objects& objects = shared_.objects;
-    const QualitySettings& quality = shared_.quality;
-    const std::uint32_t nodes = quality.multi_scatter.width * quality.multi_scatter.height;
-    rays_ = objects.texture({"multi_scatter rays", rhi::Dimension::d2, moment_format, {64, 2 * nodes, 1}, table_usage});
-    first_rays_ = objects.compute(shaders::multi_scatter_rays_2020, Specialize(shared_.air)
-                                                                        .set(8, quality.multi_scatter_nodes)
-                                                                        .set(9, 0)
-                                                                        .set(15, static_cast<int>(quality.multi_scatter.width))
-                                                                        .values());
-    moments_ = objects.compute(shaders::multi_scatter_2020, Specialize(shared_.air).set(9, 0).values());
-    live_ = bind_published(live());
-}
-
-MultiScatterPass::Bindings MultiScatterPass::bind_published(const Inputs& inputs) const {
-    Bindings sets;
-    sets.first_rays = shared_.objects.bindings("multi_scatter rays", first_rays_,
-                                               {{0, {}, {}, inputs.block},
-                                                {2, inputs.profiles, shared_.nearest, {}},
-                                                {3, inputs.transmittance, shared_.linear, {}},
-                                                {6, rays_.handle, {}, {}}});
-    sets.first_moments = shared_.objects.bindings(
-        "multi_scatter", moments_,
-        {{0, {}, {}, inputs.block}, {2, rays_.handle, shared_.nearest, {}}, {6, table_.handle, {}, {}}});
-    return sets;
-}
-
 void MultiScatterPass::keep_copy(bool wanted) {
-    if (wanted && !copy_ && !published_) {  // the published table takes one pass: there is nothing to spread
+    if (wanted && !copy_) {
         auto copy = std::make_unique<Copy>();
         copy->objects = shared_.objects.sibling();
         copy->block = copy->objects->constants("multi_scatter air", sizeof(AtmosphereBlock));
@@ -181,7 +145,7 @@ void MultiScatterPass::keep_copy(bool wanted) {
                                                      shared_.profile_table.extent, copied_usage});
             inputs.profiles = copy->profiles.handle;
         }
-        copy->bindings = bind_gauss(*copy->objects, inputs);
+        copy->bindings = bind(*copy->objects, inputs);
         copy_ = std::move(copy);
     }
     if (wanted || !copy_) return;
@@ -235,7 +199,7 @@ void MultiScatterPass::start(rhi::CommandList& commands, const AtmosphereBlock& 
 
 bool MultiScatterPass::record(rhi::CommandList& commands, const AtmosphereBlock& block, int passes, PassReport& report,
                               TimestampSlots timestamps, std::uint32_t index) {
-    if (ray_quadrature_.handle && ray_quadrature_.state == rhi::State::undefined) {
+    if (ray_quadrature_.state == rhi::State::undefined) {
         update_block(commands, ray_quadrature_, ray_rule_);
         update_block(commands, zenith_quadrature_, zenith_rule_);
     }
@@ -246,18 +210,15 @@ bool MultiScatterPass::record(rhi::CommandList& commands, const AtmosphereBlock&
     report.bytes_written = 0;
     const int end = at_once ? passes_ : std::min(passes_, next_ + passes);
     for (; next_ < end; ++next_) {
-        if (published_)
-            record_published(commands, scope);
-        else
-            record_gauss(commands, scope);
-        report.bytes_written += rays_.bytes + (published_ ? table_.bytes : 2 * table_.bytes);
+        record_pass(commands, scope);
+        report.bytes_written += rays_.bytes + 2 * table_.bytes;
     }
     if (next_ < passes_) return false;
     table_fits_ = true;
     return true;
 }
 
-void MultiScatterPass::record_gauss(rhi::CommandList& commands, PassScope& scope) {
+void MultiScatterPass::record_pass(rhi::CommandList& commands, PassScope& scope) {
     const bool first = next_ == 0;
     const bool last = next_ + 1 == passes_;  // never the first: multi_scatter_orders is at least 2
     const int parity = next_ % 2;
@@ -273,14 +234,6 @@ void MultiScatterPass::record_gauss(rhi::CommandList& commands, PassScope& scope
                    first ? reads_->first_moments : reads_->moments[last ? 1 : 0][parity], table_.extent,
                    std::as_bytes(std::span(&flags, 1)));
     move(commands, {{&order_[parity], rhi::State::sampled}, {&sum_out, rhi::State::sampled}});
-}
-
-void MultiScatterPass::record_published(rhi::CommandList& commands, PassScope& scope) {
-    move(commands, {{&rays_, rhi::State::storage_write}});
-    scope.dispatch(shaders::multi_scatter_rays_2020, first_rays_, reads_->first_rays, {64, rays_.extent.height / 2, 1});
-    move(commands, {{&rays_, rhi::State::sampled}, {&table_, rhi::State::storage_write}});
-    scope.dispatch(shaders::multi_scatter_2020, moments_, reads_->first_moments, table_.extent);
-    move(commands, {{&table_, rhi::State::sampled}});
 }
 
 }  // namespace aureole::detail

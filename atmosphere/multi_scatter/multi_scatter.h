@@ -8,7 +8,7 @@
 namespace aureole::detail {
 
 /// Centre and width of the table's sun axis for a planet (AtmosphereBlock::sun_mapping, multi_scatter.glsl).
-[[nodiscard]] glm::vec4 sun_mapping(const Planet& planet, Sampling sampling);
+[[nodiscard]] glm::vec4 sun_mapping(const Planet& planet);
 
 class MultiScatterPass {
 public:
@@ -44,7 +44,7 @@ private:
     };
     struct Bindings {
         rhi::BindingSet first_rays, next_rays[2];  // by parity of the order they read
-        rhi::BindingSet first_moments;             // into the sum; the published table, into the table
+        rhi::BindingSet first_moments;             // into the sum
         rhi::BindingSet moments[2][2];             // [last pass][parity of the order they write]
     };
     struct Copy {
@@ -56,18 +56,14 @@ private:
     /// For the newest air.
     [[nodiscard]] int passes_wanted() const noexcept;
     [[nodiscard]] Inputs live() const;
-    void create_gauss();
-    void create_published();
-    [[nodiscard]] Bindings bind_gauss(Objects& objects, const Inputs& inputs) const;
-    [[nodiscard]] Bindings bind_published(const Inputs& inputs) const;
+    void create();
+    [[nodiscard]] Bindings bind(Objects& objects, const Inputs& inputs) const;
     void start(rhi::CommandList& commands, const AtmosphereBlock& block, bool from_copy);
     void fill_copy(rhi::CommandList& commands, const AtmosphereBlock& block);
-    void record_gauss(rhi::CommandList& commands, PassScope& scope);
-    void record_published(rhi::CommandList& commands, PassScope& scope);
+    void record_pass(rhi::CommandList& commands, PassScope& scope);
 
     AirResources& shared_;
     TrackedTexture& transmittance_;
-    bool published_;
     double ratio_;               // of the newest air
     bool stale_ = true;          // no solution has been started for the newest air
     bool table_fits_ = false;    // the table can be shown until the next solution is ready

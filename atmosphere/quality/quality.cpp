@@ -1,6 +1,7 @@
 #include <aureole/quality.h>
 
 #include "common/check.h"
+#include "common/check_table.h"
 
 #include <array>
 
@@ -11,62 +12,39 @@ struct Named {
     std::string_view name;
     QualitySettings (*make)();
 };
-constexpr std::array<Named, 4> named{{{"low", &QualitySettings::low},
-                                      {"default", &QualitySettings::standard},
-                                      {"high", &QualitySettings::high},
-                                      {"published-2020", &QualitySettings::published_2020}}};
+constexpr std::array<Named, 3> named{
+    {{"low", &QualitySettings::low}, {"default", &QualitySettings::standard}, {"high", &QualitySettings::high}}};
 
-void check_size(const std::string& field, const rhi::Extent& size, double low, double high) {
-    detail::check(field + ".width", size.width, low, high);
-    detail::check(field + ".height", size.height, low, high);
-}
-void check_size_2d(const std::string& field, const rhi::Extent& size, double low, double high) {
-    check_size(field, size, low, high);
-    detail::check(field + ".depth", size.depth, 1, 1);
-}
-
-void check_format(const char* field, rhi::Format format) {
-    if (format != rhi::Format::rgba16_float && format != rhi::Format::rgba32_float)
-        detail::reject(field, rhi::to_string(format), "rgba16_float or rgba32_float");
-}
-
-/// Gauss nodes by number, or uniform steps where the published sampling is asked for.
-void check_samples(const char* field, int count, Sampling sampling) {
-    if (sampling == Sampling::gauss)
-        detail::check(field, count, 2, 16);
-    else
-        detail::check(field, count, 1, 256);
-}
+void check_nodes(const char* field, int count) { detail::check(field, count, 2, 16); }
 
 void check_angular_order(const QualitySettings& s) {
-    const bool mean_only = s.sampling == Sampling::published_2020;
     const int order = s.angular_order;
-    if (order == 0 || (!mean_only && (order == 2 || order == 4 || order == 8))) return;
-    detail::reject("angular_order", std::to_string(order), mean_only ? "0 with published_2020 sampling" : "0, 2, 4 or 8");
+    if (order == 0 || order == 2 || order == 4 || order == 8) return;
+    detail::reject("angular_order", std::to_string(order), "0, 2, 4 or 8");
 }
 
 }  // namespace
 
 void validate(const QualitySettings& s) {
-    detail::check_enum("sampling", s.sampling, Sampling::published_2020, "gauss or published_2020");
-    check_size_2d("transmittance", s.transmittance, 2, 4096);
-    check_samples("transmittance_nodes", s.transmittance_nodes, s.sampling);
-    check_size_2d("multi_scatter", s.multi_scatter, 2, 256);
+    detail::check_size_2d("transmittance", s.transmittance, 2, 4096);
+    check_nodes("transmittance_nodes", s.transmittance_nodes);
+    detail::check_size_2d("multi_scatter", s.multi_scatter, 2, 256);
     check_angular_order(s);
     detail::check("multi_scatter_zenith", s.multi_scatter_zenith, 2, 16);
     detail::check("multi_scatter_azimuth", s.multi_scatter_azimuth, 2, 32);
-    check_samples("multi_scatter_nodes", s.multi_scatter_nodes, s.sampling);
-    // The rest is extrapolated from the last two; the published sampling goes on from the first by itself.
-    detail::check("multi_scatter_orders", s.multi_scatter_orders, s.sampling == Sampling::gauss ? 2 : 1, 64);
-    check_size_2d("sky_view", s.sky_view, 4, 4096);
-    if (s.sky_view.height % 2 != 0)
-        detail::reject("sky_view.height", std::to_string(s.sky_view.height), "an even number in [4, 4096]");
-    check_samples("sky_view_nodes", s.sky_view_nodes, s.sampling);
-    check_size("aerial_perspective", s.aerial_perspective, 2, 256);
-    detail::check("aerial_perspective.depth", s.aerial_perspective.depth, 2, 256);
+    check_nodes("multi_scatter_nodes", s.multi_scatter_nodes);
+    detail::check("multi_scatter_orders", s.multi_scatter_orders, 2, 64);  // the rest is extrapolated from the last two
+    detail::check_sky_view("sky_view", s.sky_view);
+    check_nodes("sky_view_nodes", s.sky_view_nodes);
+    detail::check_froxels("aerial_perspective", s.aerial_perspective);
     detail::check("aerial_perspective_nodes", s.aerial_perspective_nodes, 1, 8);
-    check_format("table_format", s.table_format);
-    check_format("froxel_format", s.froxel_format);
+    detail::check_table_format("table_format", s.table_format);
+    detail::check_table_format("froxel_format", s.froxel_format);
+}
+
+std::span<const std::string_view> quality_names() {
+    static constexpr std::array<std::string_view, 3> names{"low", "default", "high"};
+    return names;
 }
 
 QualitySettings QualitySettings::standard() { return {}; }
@@ -106,31 +84,10 @@ QualitySettings QualitySettings::high() {
     return s;
 }
 
-QualitySettings QualitySettings::published_2020() {
-    QualitySettings s;
-    s.name = "published-2020";
-    s.sampling = Sampling::published_2020;
-    s.transmittance = {256, 64, 1};
-    s.transmittance_nodes = 40;
-    s.multi_scatter = {32, 32, 1};
-    s.angular_order = 0;
-    s.multi_scatter_zenith = 8;  // 8 x 8 = 64 directions over the whole sphere
-    s.multi_scatter_azimuth = 8;
-    s.multi_scatter_nodes = 20;
-    s.multi_scatter_orders = 1;
-    s.sky_view = {200, 100, 1};
-    s.sky_view_nodes = 30;
-    s.aerial_perspective = {32, 32, 32};
-    s.aerial_perspective_nodes = 1;
-    s.table_format = rhi::Format::rgba16_float;
-    return s;
-}
-
 QualitySettings QualitySettings::by_name(std::string_view name) {
     for (const Named& setting : named)
         if (setting.name == name) return setting.make();
-    // Appended piece by piece: with -O3, g++ 12 warns about an insertion at the front of a string (GCC bug 105651).
-    detail::reject("quality", std::string("\"").append(name).append("\""), "low, default, high or published-2020");
+    detail::reject_quality(name);
 }
 
 }  // namespace aureole

@@ -24,4 +24,8 @@ vec3 sky_radiance(vec3 direction, ViewDirection v, vec3 beyond) {
     return radiance;
 }
 
+AerialPerspective aerial_perspective(real x, real y, real distance_km, vec3 direction) {
+    return froxel_aerial_perspective(x, y, distance_km, direction);
+}
+
 #endif

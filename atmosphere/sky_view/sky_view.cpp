@@ -2,7 +2,7 @@
 
 #include "quadrature/gauss_legendre.h"
 
-#include "aureole_atmosphere_shaders.h"
+#include <bit>
 
 namespace aureole::detail {
 
@@ -12,31 +12,36 @@ SkyViewKey SkyViewKey::of(const ViewBlock& block) {
     return key;
 }
 
-SkyViewPass::SkyViewPass(TableViewResources& shared) {
-    const QualitySettings& quality = shared.air.quality;
-    shader_ = quality.sampling == Sampling::published_2020 ? &shaders::sky_view_2020 : &shaders::sky_view;
-    const rhi::Extent extent{quality.sky_view.width, quality.sky_view.height * (shared.suns * shared.layers_per_sun() + 1), 1};
-    invocations_ = {extent.width, quality.sky_view.height * shared.suns, 1};
-    table_ = shared.objects.texture(
-        {"sky_view", rhi::Dimension::d2, quality.table_format, extent, rhi::Usage::sampled | rhi::Usage::storage});
+Specialize TableViewResources::specialize_tables() const {
+    Specialize values = specialize();
+    for (const rhi::Specialization& value : specialization) values.set(value);
+    return values;
+}
+
+std::uint32_t layers_with_sharp_phases(const AirStructure& air) {
+    return 1 + static_cast<std::uint32_t>(std::popcount(air.sharp_phases));
+}
+
+SkyViewPass::SkyViewPass(TableViewResources& shared, const TableKernel& kernel) : shader_(kernel.shader) {
     Objects& objects = shared.objects;
-    pipeline_ = objects.compute(*shader_, shared.specialize().set(8, quality.sky_view_nodes).values());
-    const rhi::Binding air{0, {}, {}, shared.air.block.handle};
-    const rhi::Binding profiles{2, shared.air.profile_table.handle, shared.air.nearest, {}};
-    const rhi::Binding transmittance{3, shared.transmittance.handle, shared.air.linear, {}};
-    const rhi::Binding multi_scatter{4, shared.multi_scatter.handle, shared.air.linear, {}};
-    const rhi::Binding view{5, {}, {}, shared.block.handle};
-    const rhi::Binding out{6, table_.handle, {}, {}};
-    const rhi::Binding phases{7, shared.air.phase_table.handle, shared.air.nearest, {}};
-    if (shader_ == &shaders::sky_view_2020) {
-        bindings_ = objects.bindings("sky_view", pipeline_, {air, profiles, transmittance, multi_scatter, view, out, phases});
-        return;
+    const rhi::Extent extent{kernel.size.width, kernel.size.height * (shared.suns * shared.layers_per_sun + 1), 1};
+    invocations_ = {extent.width, kernel.size.height * shared.suns, 1};
+    table_ =
+        objects.texture({"sky_view", rhi::Dimension::d2, kernel.format, extent, rhi::Usage::sampled | rhi::Usage::storage});
+    pipeline_ = objects.compute(*shader_, shared.specialize_tables().set(8, kernel.nodes).values());
+    if (kernel.has_quadrature()) {
+        rule_ = quadrature_block(kernel.nodes);
+        quadrature_ = objects.constants("sky_view quadrature", sizeof rule_);
     }
-    rule_ = quadrature_block(quality.sky_view_nodes);
-    quadrature_ = objects.constants("sky_view quadrature", sizeof rule_);
-    const rhi::Binding quadrature{1, {}, {}, quadrature_.handle};
-    bindings_ =
-        objects.bindings("sky_view", pipeline_, {air, quadrature, profiles, transmittance, multi_scatter, view, out, phases});
+    const rhi::Binding slots[] = {{0, {}, {}, shared.air.block.handle},
+                                  {1, {}, {}, quadrature_.handle},
+                                  {2, shared.air.profile_table.handle, shared.air.nearest, {}},
+                                  {3, shared.transmittance.handle, shared.air.linear, {}},
+                                  {4, shared.multi_scatter.handle, shared.air.linear, {}},
+                                  {5, {}, {}, shared.block.handle},
+                                  {6, table_.handle, {}, {}},
+                                  {7, shared.air.phase_table.handle, shared.air.nearest, {}}};
+    bindings_ = objects.bindings("sky_view", pipeline_, bindings_of(*shader_, slots));
 }
 
 void SkyViewPass::record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index) {

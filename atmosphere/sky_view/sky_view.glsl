@@ -34,13 +34,14 @@ real sky_view_half_sine(real position, bool below) {  // sin(angle / 2)
     return min(real(0.5) * greatest * position * position, real(1));
 }
 
-// x position of an azimuth with cosine c, and the cosine at a position. The published 2020 table uses sin(azimuth / 2).
-SPEC_BOOL(7, PUBLISHED_AZIMUTH, false)
+// x position of an azimuth with cosine c, and the cosine at a position. Tables of models with another axis than the cosine have
+// Hillaire's: sin(azimuth / 2).
+SPEC_BOOL(7, HALF_ANGLE_AZIMUTH, false)
 real sky_view_azimuth_position(real azimuth_cosine) {
     real x = clamp(real(0.5) - real(0.5) * azimuth_cosine, real(0), real(1));
-    return PUBLISHED_AZIMUTH ? sqrt(x) : x;
+    return HALF_ANGLE_AZIMUTH ? sqrt(x) : x;
 }
-real sky_view_azimuth_cosine(real position) { return 1 - 2 * (PUBLISHED_AZIMUTH ? position * position : position); }
+real sky_view_azimuth_cosine(real position) { return 1 - 2 * (HALF_ANGLE_AZIMUTH ? position * position : position); }
 
 // Keeps a row of a layer, 0 to rows - 1, a little off both ends. Coordinates of a stacked texture are rounded: at an end they would
 // let in a trace of the next layer, and a trace of the horizon's optical depth times the peak of a phase function is a bright dot.

@@ -9,7 +9,14 @@ namespace aureole::detail {
 struct TableViewResources : ViewResources {
     TrackedTexture& transmittance;
     TrackedTexture& multi_scatter;
+    std::uint32_t layers_per_sun = 1;                   ///< In the sky-view table and in the froxels.
+    std::vector<rhi::Specialization> specialization{};  ///< Of the model's tables, beyond ViewResources::specialize.
+    /// Specialization of the kernels that fill the tables.
+    [[nodiscard]] Specialize specialize_tables() const;
 };
+
+/// Layers a sun has in tables that keep sharp phase functions apart: 1, and 1 for each of those.
+[[nodiscard]] std::uint32_t layers_with_sharp_phases(const AirStructure& air);
 
 /// Everything that a sky-view table depends on: rotating the camera does not change it.
 struct SkyViewKey {
@@ -21,7 +28,7 @@ struct SkyViewKey {
 
 class SkyViewPass {
 public:
-    explicit SkyViewPass(TableViewResources& shared);
+    SkyViewPass(TableViewResources& shared, const TableKernel& kernel);
 
     void record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
     /// The table is lost, and all that it is made of.

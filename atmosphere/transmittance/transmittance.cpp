@@ -1,29 +1,24 @@
 #include "transmittance/transmittance.h"
 
+#include "models/model.h"
 #include "quadrature/gauss_legendre.h"
-
-#include "aureole_atmosphere_shaders.h"
 
 namespace aureole::detail {
 
-TransmittancePass::TransmittancePass(AirResources& shared) {
+TransmittancePass::TransmittancePass(AirResources& shared, const TableKernel& kernel) : shader_(kernel.shader) {
     Objects& objects = shared.objects;
-    const QualitySettings& quality = shared.quality;
-    const bool published = quality.sampling == Sampling::published_2020;
-    table_ = objects.texture({"transmittance", rhi::Dimension::d2, quality.table_format, quality.transmittance,
+    table_ = objects.texture({"transmittance", rhi::Dimension::d2, kernel.format, kernel.size,
                               rhi::Usage::sampled | rhi::Usage::storage | rhi::Usage::copy_source});
-    shader_ = published ? &shaders::transmittance_2020 : &shaders::transmittance;
-    pipeline_ = objects.compute(*shader_, Specialize(shared.air).set(8, quality.transmittance_nodes).values());
-    const rhi::Binding air{0, {}, {}, shared.block.handle};
-    const rhi::Binding profiles{2, shared.profile_table.handle, shared.nearest, {}};
-    const rhi::Binding out{3, table_.handle, {}, {}};
-    if (published) {
-        bindings_ = objects.bindings("transmittance", pipeline_, {air, profiles, out});
-    } else {
-        rule_ = quadrature_block(quality.transmittance_nodes);
+    pipeline_ = objects.compute(*shader_, Specialize(shared.air).set(8, kernel.nodes).values());
+    if (kernel.has_quadrature()) {
+        rule_ = quadrature_block(kernel.nodes);
         quadrature_ = objects.constants("transmittance quadrature", sizeof rule_);
-        bindings_ = objects.bindings("transmittance", pipeline_, {air, {1, {}, {}, quadrature_.handle}, profiles, out});
     }
+    const rhi::Binding slots[] = {{0, {}, {}, shared.block.handle},
+                                  {1, {}, {}, quadrature_.handle},
+                                  {2, shared.profile_table.handle, shared.nearest, {}},
+                                  {3, table_.handle, {}, {}}};
+    bindings_ = objects.bindings("transmittance", pipeline_, bindings_of(*shader_, slots));
 }
 
 void TransmittancePass::record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index) {

@@ -7,7 +7,7 @@ namespace aureole::detail {
 
 class TransmittancePass {
 public:
-    explicit TransmittancePass(AirResources& shared);
+    TransmittancePass(AirResources& shared, const TableKernel& kernel);
 
     /// The first recording also fills the quadrature block.
     void record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
@@ -22,7 +22,7 @@ public:
 private:
     const rhi::Shader* shader_;
     TrackedTexture table_;
-    TrackedBuffer quadrature_;
+    TrackedBuffer quadrature_;  ///< Null: the kernel has none.
     QuadratureBlock rule_;
     rhi::Pipeline pipeline_;
     rhi::BindingSet bindings_;

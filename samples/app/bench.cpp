@@ -6,7 +6,6 @@
 #include <aureole/presets.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -17,9 +16,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double camera_altitude_m = 500;
-constexpr std::array<const char*, 4> qualities{"low", "default", "high", "published-2020"};
-constexpr std::array<const char*, 7> pass_names{"transmittance", "multi_scatter", "sky_view",          "aerial_perspective",
-                                                "light",         "composite",     "composite_geometry"};
+constexpr std::string_view geometry_pass = "composite_geometry";
 
 rhi::Format target_format(const BenchOptions& options) {
     return options.linear ? rhi::Format::rgba16_float : rhi::Format::rgba8_unorm;
@@ -74,17 +71,22 @@ struct Textures {
     CompositeTargets plain, geometry;
 };
 
-/// One quality under test.
+/// One model under test.
 class Subject {
 public:
-    Subject(Backend& backend, const BenchOptions& options, const Textures& textures, const char* quality)
+    Subject(Backend& backend, const BenchOptions& options, const Textures& textures, const SceneModel& model)
         : backend_(backend),
           textures_(textures),
           camera_(bench_camera(options)),
-          air_(backend.device(), presets::earth(), QualitySettings::by_name(quality)),
+          air_(backend.device(), presets::earth(), model.make()),
           plain_(air_, {}, composite_settings(options, false)),
           geometry_(air_, {}, composite_settings(options, true)) {
-        result.quality = quality;
+        result.model = model;
+        for (const PassReport& report : air_.reports()) names_.emplace_back(report.name);
+        for (const PassReport& report : plain_.reports()) names_.emplace_back(report.name);
+        names_.emplace_back(geometry_pass);
+        result.air_passes = air_.reports().size();
+        result.view_passes = plain_.reports().size() - 1;
         plain_.prepare_composite(textures.plain);
         geometry_.prepare_composite(textures.geometry);
     }
@@ -97,32 +99,30 @@ public:
         collect_times(backend_, plain_.reports(), view_slots, times);
         draw_geometry_tables();
         draw_geometry();
-        collect_times(backend_, geometry_.reports().last(1), {true, view_slots.first + 6}, geometry_times);
-        times.push_back({"composite_geometry", geometry_times.at(0).milliseconds});
+        collect_times(backend_, geometry_.reports().last(1), slot_of_composite(), geometry_times);
+        times.push_back({std::string(geometry_pass), geometry_times.at(0).milliseconds});
         if (measured) keep(times);
     }
 
-    /// What each pass of one round does, by pass_names. The backend counts (BackendOptions::count_work).
+    /// What each pass of one round does. The backend counts (BackendOptions::count_work).
     std::map<std::string, rhi::CpuCounts> count() {
         std::map<std::string, rhi::CpuCounts> counts;
         cpu::CpuDevice& device = *backend_.cpu();
         update(0);
         device.reset_work();
         draw_plain();
-        for (const cpu::PipelineWork& work : device.work())
-            for (const char* name : pass_names)
-                if (work.pipeline.starts_with(name)) counts[name] += work.counts;  // e.g. multi_scatter_rays, sky_view_2020
+        for (const cpu::PipelineWork& work : device.work()) counts[pass_of(work.pipeline)] += work.counts;
         draw_geometry_tables();
         device.reset_work();
         draw_geometry();
-        for (const cpu::PipelineWork& work : device.work()) counts["composite_geometry"] += work.counts;
+        for (const cpu::PipelineWork& work : device.work()) counts[std::string(geometry_pass)] += work.counts;
         return counts;
     }
 
     void set_counts(const std::map<std::string, rhi::CpuCounts>& counts) { counts_ = counts; }
 
     void finish() {
-        for (const char* name : pass_names) {
+        for (const std::string& name : names_) {
             BenchPass& pass = result.passes.emplace_back();
             pass.name = name;
             pass.milliseconds = spread_of(samples_[name]);
@@ -166,17 +166,30 @@ private:
         double air = 0, view = 0;
         for (const PassTime& time : times) {
             samples_[time.name].push_back(time.milliseconds);
-            if (time.name == "transmittance" || time.name == "multi_scatter")
+            const auto place = static_cast<std::size_t>(std::ranges::find(names_, time.name) - names_.begin());
+            if (place < result.air_passes)
                 air += time.milliseconds;
-            else if (!time.name.starts_with("composite"))
+            else if (place < result.air_passes + result.view_passes)
                 view += time.milliseconds;
         }
         per_frame_.push_back(view);
         rebuild_.push_back(air + view);
     }
 
+    [[nodiscard]] TimestampSlots slot_of_composite() const {
+        const std::size_t before = geometry_.reports().size() - 1;
+        return {true, view_slots.first + 2 * static_cast<std::uint32_t>(before)};
+    }
+    /// Pipelines are named for their pass and more: multi_scatter_rays, hillaire_sky_view.
+    [[nodiscard]] std::string pass_of(std::string_view pipeline) const {
+        std::string longest;
+        for (const std::string& name : names_)
+            if (pipeline.find(name) != std::string_view::npos && name.size() > longest.size()) longest = name;
+        return longest;
+    }
+
     [[nodiscard]] std::uint64_t invocations_of(std::string_view name) const {
-        if (name == "composite_geometry") return geometry_.reports().back().invocations;
+        if (name == geometry_pass) return geometry_.reports().back().invocations;
         for (const std::span<const PassReport> reports : {air_.reports(), plain_.reports()})
             for (const PassReport& report : reports)
                 if (report.name == name) return report.invocations;
@@ -188,6 +201,7 @@ private:
     Camera camera_;
     Atmosphere air_;
     View plain_, geometry_;
+    std::vector<std::string> names_;  // of all passes, as BenchResult has them
     std::map<std::string, std::vector<double>> samples_;
     std::vector<double> per_frame_, rebuild_;
     std::map<std::string, rhi::CpuCounts> counts_;
@@ -211,7 +225,8 @@ std::vector<BenchResult> bench(Backend& backend, const BenchOptions& options, co
         throw Error(ErrorCode::unsupported, "bench: " + backend.describe() + " has no clock that passes can be timed with");
     const Textures textures(backend, options);
     std::vector<std::unique_ptr<Subject>> subjects;
-    for (const char* quality : qualities) subjects.push_back(std::make_unique<Subject>(backend, options, textures, quality));
+    for (const SceneModel& model : options.models)
+        subjects.push_back(std::make_unique<Subject>(backend, options, textures, model));
     for (std::uint32_t round = 0; round < options.frames + options.warm_up; ++round) {
         for (const auto& subject : subjects) subject->run(round, round >= options.warm_up);
         after_round();
@@ -224,7 +239,7 @@ std::vector<BenchResult> bench(Backend& backend, const BenchOptions& options, co
         const std::unique_ptr<Backend> counter = open_backend(counting);
         const Textures inputs(*counter, options);
         for (std::size_t i = 0; i < subjects.size(); ++i)
-            subjects[i]->set_counts(Subject(*counter, options, inputs, qualities[i]).count());
+            subjects[i]->set_counts(Subject(*counter, options, inputs, options.models[i]).count());
     }
     std::vector<BenchResult> results;
     for (const auto& subject : subjects) {

@@ -1,7 +1,8 @@
-// What each setting of quality costs, all of them measured in one run.
+// What each model costs in each of its qualities, all of them measured in one run.
 #pragma once
 
 #include "app/backend.h"
+#include "scene/scene.h"
 
 #include <aureole/atmosphere.h>
 
@@ -14,6 +15,7 @@
 namespace aureole::app {
 
 struct BenchOptions {
+    std::vector<SceneModel> models;  ///< What is measured, in this order.
     std::uint32_t width = 1280, height = 720;
     std::uint32_t frames = 20;  ///< Measured rounds.
     std::uint32_t warm_up = 2;  ///< Rounds before them that are thrown away.
@@ -36,18 +38,20 @@ struct BenchPass {
 };
 
 struct BenchResult {
-    std::string quality;
-    std::vector<BenchPass> passes;
-    Spread per_frame;               ///< sky_view + aerial_perspective + light.
-    Spread rebuild;                 ///< transmittance + multi_scatter + per_frame.
-    std::uint64_t table_bytes = 0;  ///< Device memory of all tables of one planet and one view.
+    SceneModel model;
+    std::vector<BenchPass> passes;                ///< Of the air, of the view, "composite", "composite_geometry".
+    std::size_t air_passes = 0, view_passes = 0;  ///< How many of each, the view's without composites.
+    Spread per_frame;                             ///< All passes of the view together.
+    Spread rebuild;                               ///< All passes of the air and per_frame.
+    std::uint64_t table_bytes = 0;                ///< Device memory of all tables of one planet and one view.
 
     [[nodiscard]] const BenchPass& pass(std::string_view name) const;
+    /// "hillaire default"
+    [[nodiscard]] std::string label() const { return model.name + " " + model.quality; }
 };
 
-/// For each of low, default, high and published-2020. Rounds go through all of them in turn, so that what else the machine does
-/// hits all alike. In every round sun and ground albedo have moved, so that every pass runs. Throws Error(unsupported) if the
-/// device has no clock.
+/// For each of the models. Rounds go through all of them in turn, so that what else the machine does hits all alike. In every
+/// round sun and ground albedo have moved, so that every pass runs. Throws Error(unsupported) if the device has no clock.
 [[nodiscard]] std::vector<BenchResult> bench(Backend& backend, const BenchOptions& options,
                                              const std::function<void()>& after_round);
 

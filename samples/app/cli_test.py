@@ -46,6 +46,12 @@ def vulkan_runs():
     return 'can run' in lines[:next(i for i, line in enumerate(lines) if line.startswith('cpu '))]
 
 
+def models():
+    """The names that `aureole devices` lists."""
+    lines = run('devices').stdout.splitlines()
+    return [line.split()[0] for line in lines[next(i for i, line in enumerate(lines) if line.startswith('models')) + 1:] if line]
+
+
 def put(name, text):
     path = FOLDER / name
     path.write_text(text)
@@ -63,6 +69,15 @@ def check_render():
     works('render', noon, '-o', FOLDER / 'p.png', '--projection', 'panorama', '--samples', 1, *small)
     works('render', noon, '-o', FOLDER / 's.png', '--sun-elevation', '-5:20', '--frames', 3, *small)
     works('render', noon, '-o', FOLDER / 't%02d.png', '--sun-elevation', '-5:20', '--frames', 2, *small)
+    pictures = set()
+    for model in models():
+        out = works('render', noon, '-o', FOLDER / f'm-{model}.exr', '--model', model, *small)
+        expect(f'model {model}, quality low' in out, f'render says which model: {out}')
+        pictures.add((FOLDER / f'm-{model}.exr').read_bytes())
+    expect(len(pictures) == len(models()) > 1, 'every model has its own picture')
+    scene = put('model.toml', 'model = "hillaire"\n' + noon.read_text())
+    works('render', scene, '-o', FOLDER / 'scene.exr', *small)
+    expect((FOLDER / 'scene.exr').read_bytes() == (FOLDER / 'm-hillaire.exr').read_bytes(), 'the model of the scene')
     for name in ('s-0001.png', 's-0003.png', 't01.png', 't02.png'):
         expect((FOLDER / name).exists(), f'{name} exists')
     expect((FOLDER / 's-0001.png').read_bytes() != (FOLDER / 's-0003.png').read_bytes(), 'the sun moves')
@@ -78,6 +93,8 @@ def check_render_faults():
     fails('--size', 'render', noon, *out, '--size', '100')
     fails('--size', 'render', noon, *out, '--size', '0x100')
     fails('--quality', 'render', noon, *out, '--quality', 'ultra')
+    fails('--model', 'render', noon, *out, '--model', 'preetham')
+    fails('model.toml:1: model: "preetham"', 'render', put('model.toml', 'model = "preetham"\n'), *out)
     fails('--backend', 'render', noon, '-o', FOLDER / 'x.png', '--backend', 'metal')
     fails('--projection', 'render', noon, *out, '--projection', 'mercator')
     fails('perspective, for a scene with terrain', 'render', terrain, *out, '--projection', 'fisheye')
@@ -131,7 +148,9 @@ def check_probe():
     rows = put('in.csv', f'# comment\n{header},L_r_per_sr,note\n30,0.2,10,45,1,x\n85,10,95,0,2,y\n')
     scene = SCENES / 'truth_earth.toml'
     probe = ['probe', '--scene', scene, *BACKEND, '--quality', 'low', '-o']
+    works(*probe, FOLDER / 'other.csv', '--directions', rows, '--model', 'hillaire')
     works(*probe, FOLDER / 'out.csv', '--directions', rows)
+    expect(', model hillaire, quality low' in (FOLDER / 'other.csv').read_text(), 'a probe says which model')
     lines = [line for line in (FOLDER / 'out.csv').read_text().splitlines() if not line.startswith('#')]
     expect(lines[0] == header + ',r,g,b' and lines[1].startswith('30,0.2,10,45,') and len(lines) == 3, f'probe wrote {lines}')
     expect(all(0 < float(x) < 1 for line in lines[1:] for x in line.split(',')[4:]), f'plausible radiances {lines}')
@@ -160,11 +179,18 @@ def check_score(result):
 
 def check_bench_and_devices():
     out = works('bench', *BACKEND, '--size', '32x16', '--frames', 1, '--json', FOLDER / 'bench.json')
+    known = models()
     bench = json.loads((FOLDER / 'bench.json').read_text())
-    expect([q['quality'] for q in bench['qualities']] == ['low', 'default', 'high', 'published-2020'], 'bench: qualities')
-    expect(all(p['median_ms'] > 0 and p['bytes_written'] > 0 for q in bench['qualities'] for p in q['passes']), 'bench: passes')
-    expect(bench['qualities'][3]['ratio_to_published_2020']['per_frame'] == 1, 'bench: ratio to itself')
-    expect('published-2020' in out and 'per frame' in out, 'bench prints a table')
+    expect([(m['model'], m['quality']) for m in bench['models']] ==
+           [(m, q) for m in ('aureole', 'hillaire') for q in ('low', 'default', 'high')], 'bench: models')
+    expect(all(p['median_ms'] > 0 and p['bytes_written'] > 0 for m in bench['models'] for p in m['passes'] if p['invocations']),
+           'bench: passes')
+    expect(bench['models'][4]['ratio'] == {'to': 'hillaire default', 'per_frame': 1, 'full_rebuild': 1}, 'bench: ratio to itself')
+    expect('hillaire default' in out and 'per frame' in out, 'bench prints a table')
+    out = works('bench', *BACKEND, '--size', '32x16', '--frames', 1, '--model', 'aureole,aureole', '--quality', 'low')
+    expect('aureole low' in out and 'aureole default' not in out and 'relative to aureole low' in out, f'bench of one: {out}')
+    fails('--model', 'bench', *BACKEND, '--model', 'aureole,preetham')
+    fails('--quality', 'bench', *BACKEND, '--quality', 'low,ultra')
     fails('--frames: 0 is not allowed; allowed: 1 to 100000', 'bench', *BACKEND, '--frames', 0)
     for text in ('abc', '3x', '-1', '1.5'):
         fails(f'--frames: "{text}" is not a whole number', 'bench', *BACKEND, f'--frames={text}')
@@ -172,6 +198,9 @@ def check_bench_and_devices():
     fails('there is no folder', 'bench', *BACKEND, '--json', FOLDER / 'none/x.json')
     out = works('devices')
     expect('cpu-double' in out and 'vulkan' in out, f'devices: {out}')
+    for text in (out, works('--help'), works('render', '--help'), works('probe', '--help'), works('bench', '--help')):
+        expect(all(any(line.split()[:1] == [name] and len(line.split()) > 3 for line in text.splitlines()) for name in known),
+               f'every model has a line: {text}')
 
 
 def check_help():

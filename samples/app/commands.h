@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/backend.h"
+#include "scene/scene.h"
 
 #include <CLI/CLI.hpp>
 
@@ -16,8 +17,19 @@ void add_devices_command(CLI::App& program);
 
 /// --backend, --device, --validation, --threads.
 void add_backend_options(CLI::App& command, BackendOptions& options);
-/// --quality with the four names; empty means what the scene says.
-void add_quality_option(CLI::App& command, std::string& quality, const std::string& help);
+/// What the scene says is replaced by what was asked for.
+struct ModelOptions {
+    std::string model, quality;  ///< Empty: as the scene says.
+    [[nodiscard]] SceneModel of(const SceneModel& scene) const {
+        return {model.empty() ? scene.name : model, quality.empty() ? scene.quality : quality};
+    }
+};
+/// --model and --quality.
+void add_model_options(CLI::App& command, ModelOptions& options);
+/// Every model with a line on what it is, for help texts and `aureole devices`: each line begins with `indent`.
+[[nodiscard]] std::string list_models(const std::string& indent);
+/// The names as CLI11 takes them.
+[[nodiscard]] std::vector<std::string> strings(std::span<const std::string_view> names);
 
 /// Checks an option's text; messages tell what is no number from what is out of range.
 [[nodiscard]] CLI::Validator whole_number(std::uint32_t low, std::uint32_t high);

@@ -43,11 +43,13 @@ void print_cpu(const char* name, cpu::Precision precision, const char* what) {
 }  // namespace
 
 void add_devices_command(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("devices", "What can run here, and why something cannot");
+    CLI::App* command =
+        program.add_subcommand("devices", "What can run here, and why something cannot; and the models there are");
     command->callback([] {
         print_vulkan();
         print_cpu("cpu", cpu::Precision::float32, "float arithmetic, textures rounded to their formats");
         print_cpu("cpu-double", cpu::Precision::float64, "double arithmetic, nothing rounded: the reference");
+        std::printf("\nmodels, on every backend (--model NAME):\n%s\n", list_models("  ").c_str());
     });
 }
 

@@ -123,7 +123,7 @@ FrameRenderer::FrameRenderer(Backend& backend, const Scene& scene, const Land* l
       land_(land),
       options_(options),
       camera_altitude_m_(land ? land->camera_altitude_m() : scene.camera.altitude_m),
-      air_(backend.device(), scene.atmosphere, scene.quality) {
+      air_(backend.device(), scene.atmosphere, scene.model.make()) {
     if (options.raster && !backend.device().capabilities().raster)
         throw Error(ErrorCode::unsupported, "--raster: " + backend.describe() + " has no raster pipelines");
     check_size(options, backend.device().capabilities().max_texture_2d);

@@ -77,7 +77,7 @@ TEST_CASE("a picture's pixels are what a probe of their directions gives") {
         const double degrees = 180 / std::numbers::pi;
         rows.push_back({55, 1.5, std::acos(d.z) * degrees, (std::atan2(d.y, d.x) - std::atan2(s.y, s.x)) * degrees});
     }
-    const std::vector<Rgb> probed = probe(*backend, scene.atmosphere, scene.quality, rows);
+    const std::vector<Rgb> probed = probe(*backend, scene.atmosphere, scene.model.make(), rows);
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Rgb shown = pixel(frame.linear, places[i].first, places[i].second);
         for (int c = 0; c < 3; ++c) {
@@ -125,7 +125,7 @@ TEST_CASE("sizes: long pictures are metered like others, and a composite that is
 TEST_CASE("probe: altitudes and suns in any order, below the ground as on it") {
     const auto backend = open_backend({.name = "cpu"});
     const AtmosphereParameters earth = presets::earth();
-    const QualitySettings low = QualitySettings::low();
+    const ModelPtr low = model_by_name("aureole", "low");
     const std::vector<ProbeRow> rows{{30, 0, 20, 90}, {80, 10, 70, 45}, {30, 0, 60, 0}, {30, -0.01, 20, 90}, {30, 300, 20, 90}};
     const std::vector<Rgb> radiance = probe(*backend, earth, low, rows);
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -142,10 +142,10 @@ TEST_CASE("an absorber takes its colours out of the light: methane's air looks b
     const auto backend = open_backend({.name = "cpu"});
     AtmosphereParameters air = read_scene(std::filesystem::path(AUREOLE_SCENES) / "methane.toml").atmosphere;
     const std::vector<ProbeRow> rows{{30, 300, 180, 0}, {60, 300, 150, 90}, {30, 0, 40, 90}};  // clouds below, and sky
-    const std::vector<Rgb> with = probe(*backend, air, QualitySettings::low(), rows);
+    const std::vector<Rgb> with = probe(*backend, air, model_by_name("aureole", "low"), rows);
     REQUIRE(air.terms.at(1).name == "methane");
     air.terms.pop_back();
-    const std::vector<Rgb> without = probe(*backend, air, QualitySettings::low(), rows);
+    const std::vector<Rgb> without = probe(*backend, air, model_by_name("aureole", "low"), rows);
     // Straight down: twice through the column, 27.7 km of the coefficient at the bottom, and the sun's way slanted.
     const double red = 7.1e-6 * 27.7e3 * (1 + 1 / std::cos(30 * std::numbers::pi / 180));
     CHECK(with[0].r / without[0].r == doctest::Approx(std::exp(-red)).epsilon(0.1));
@@ -162,7 +162,7 @@ TEST_CASE("probe: what is rejected") {
     const auto backend = open_backend({.name = "cpu"});
     const auto rejected = [&](const ProbeRow& row) {
         const std::vector<ProbeRow> rows{{30, 0, 20, 90}, row};
-        return complaint([&] { (void)probe(*backend, presets::earth(), QualitySettings::low(), rows); });
+        return complaint([&] { (void)probe(*backend, presets::earth(), model_by_name("aureole", "low"), rows); });
     };
     CHECK(rejected({181, 0, 0, 0}) == "row 2: sun_zenith_deg: 181 is not allowed; allowed: in [0, 180]");
     CHECK(contains(rejected({0, -11, 0, 0}), "row 2: altitude_km: -11"));

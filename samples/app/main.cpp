@@ -45,9 +45,9 @@ int main(int argc, char** argv) {
     aureole::set_log(spdlog::default_logger());
 
     CLI::App program("Real-time planetary atmospheres: render scenes, probe radiances, measure costs.");
-    program.footer(
-        "Exit code: 0, or 2 with one line on stderr. Files appear complete or not at all.\n"
-        "Run `aureole COMMAND --help` for a command's options.");
+    program.footer("Models (--model of render, probe and bench):\n" + aureole::app::list_models("  ") +
+                   "\n\nExit code: 0, or 2 with one line on stderr. Files appear complete or not at all.\n"
+                   "Run `aureole COMMAND --help` for a command's options.");
     program.require_subcommand(1);
     program.set_version_flag("--version", "aureole " AUREOLE_VERSION, "Print the version and exit");
     program.add_flag_callback(

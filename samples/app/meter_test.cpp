@@ -47,7 +47,7 @@ TEST_CASE("automatic exposure: projections of the same scene agree within a stop
     const auto backend = open_backend({.name = "cpu"});
     for (const char* name : {"noon", "golden_hour", "twilight", "mars"}) {
         Scene scene = read_scene(std::filesystem::path(AUREOLE_SCENES) / (std::string(name) + ".toml"));
-        scene.quality = QualitySettings::low();
+        scene.model.quality = "low";
         const auto exposure = [&](Projection kind) {
             scene.camera.projection = kind;
             FrameOptions options;

@@ -1,5 +1,6 @@
 #include "app/commands.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace aureole::app {
@@ -19,8 +20,24 @@ void add_backend_options(CLI::App& command, BackendOptions& options) {
         ->default_str("0");
 }
 
-void add_quality_option(CLI::App& command, std::string& quality, const std::string& help) {
-    command.add_option("--quality", quality, help)->check(CLI::IsMember({"low", "default", "high", "published-2020"}));
+std::vector<std::string> strings(std::span<const std::string_view> names) { return {names.begin(), names.end()}; }
+
+void add_model_options(CLI::App& command, ModelOptions& options) {
+    command.add_option("--model", options.model, "What makes the sky, instead of the scene's: a model below")
+        ->check(CLI::IsMember(strings(model_names())));
+    command.add_option("--quality", options.quality, "How finely the model works, instead of the scene's")
+        ->check(CLI::IsMember(strings(quality_names())));
+    command.footer("Models:\n" + list_models("  "));
+}
+
+std::string list_models(const std::string& indent) {
+    std::string text;
+    for (const std::string_view name : model_names()) {
+        std::string column(name);
+        column.resize(std::max<std::size_t>(column.size(), 12), ' ');
+        text.append(text.empty() ? "" : "\n").append(indent).append(column).append(model_summary(name));
+    }
+    return text;
 }
 
 CLI::Validator whole_number(std::uint32_t low, std::uint32_t high) {

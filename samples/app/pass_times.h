@@ -15,10 +15,10 @@ struct PassTime {
     double milliseconds = 0;
 };
 
-/// Time stamps of one atmosphere and one view: 2 passes and 4 passes.
+/// Time stamps of one atmosphere and one view: at most 16 passes and 8 passes.
 inline constexpr TimestampSlots air_slots{true, 0};
-inline constexpr TimestampSlots view_slots{true, 4};
-inline constexpr std::size_t slot_count = 12;
+inline constexpr TimestampSlots view_slots{true, 32};
+inline constexpr std::size_t slot_count = 48;
 
 /// Slots if the device has a clock, none otherwise.
 [[nodiscard]] TimestampSlots if_supported(Backend& backend, TimestampSlots slots);

@@ -76,7 +76,7 @@ void check_row(const ProbeRow& row, const std::string& place) {
     check("azimuth_deg", row.azimuth_deg, -360, 360);
 }
 
-std::vector<Rgb> probe(Backend& backend, const AtmosphereParameters& parameters, const QualitySettings& quality,
+std::vector<Rgb> probe(Backend& backend, const AtmosphereParameters& parameters, const ModelPtr& model,
                        std::span<const ProbeRow> rows) {
     Groups groups;
     std::size_t largest = 0;
@@ -88,7 +88,7 @@ std::vector<Rgb> probe(Backend& backend, const AtmosphereParameters& parameters,
     }
     if (rows.empty()) return {};
 
-    Atmosphere air(backend.device(), parameters, quality);
+    Atmosphere air(backend.device(), parameters, model);
     ViewSettings settings;
     settings.aerial_perspective = settings.light = false;
     CompositeSettings composite;

@@ -3,8 +3,8 @@
 
 #include "app/backend.h"
 
+#include <aureole/model.h>
 #include <aureole/parameters.h>
-#include <aureole/quality.h>
 
 #include <span>
 #include <string>
@@ -25,7 +25,7 @@ void check_row(const ProbeRow& row, const std::string& place);
 
 /// Radiance of each row per unit of solar irradiance, in 1/sr, without the sun's disk; light reflected by the ground is part of
 /// it. Rows of the same sun and altitude share one update of the view. Throws Error(invalid_argument) naming the row (from 1).
-[[nodiscard]] std::vector<Rgb> probe(Backend& backend, const AtmosphereParameters& parameters, const QualitySettings& quality,
+[[nodiscard]] std::vector<Rgb> probe(Backend& backend, const AtmosphereParameters& parameters, const ModelPtr& model,
                                      std::span<const ProbeRow> rows);
 
 }  // namespace aureole::app

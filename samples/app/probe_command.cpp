@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 4> input_columns{"sun_zenith_deg", "altit
 
 struct ProbeOptions {
     std::filesystem::path scene, directions, output;
-    std::string quality;
+    ModelOptions model;
     BackendOptions backend;
 };
 
@@ -42,12 +42,12 @@ std::string print_rows(const std::string& comment, std::span<const ProbeRow> row
 
 void run_probe(const ProbeOptions& options) {
     const Scene scene = read_scene(options.scene);
-    const QualitySettings quality = options.quality.empty() ? scene.quality : QualitySettings::by_name(options.quality);
+    const SceneModel model = options.model.of(scene.model);
     const std::vector<ProbeRow> rows = read_rows(options.directions);
     { const NewFile writable(options.output); }
     const std::unique_ptr<Backend> backend = open_backend(options.backend);
-    const std::vector<Rgb> radiance = probe(*backend, scene.atmosphere, quality, rows);
-    const std::string what = options.scene.filename().string() + ", " + backend->describe() + ", quality " + quality.name;
+    const std::vector<Rgb> radiance = probe(*backend, scene.atmosphere, model.make(), rows);
+    const std::string what = options.scene.filename().string() + ", " + backend->describe() + ", " + model.describe();
     backend->close();
     write_text(options.output,
                print_rows("radiance per unit of solar irradiance in 1/sr, without the sun's disk; " + what, rows, radiance));
@@ -59,7 +59,7 @@ void run_probe(const ProbeOptions& options) {
 void add_probe_command(CLI::App& program) {
     auto options = std::make_shared<ProbeOptions>();
     CLI::App* command = program.add_subcommand("probe", "Radiance of single directions, through the same passes as a picture");
-    command->add_option("--scene", options->scene, "Scene file; its atmosphere and quality are used")->required();
+    command->add_option("--scene", options->scene, "Scene file; its atmosphere, model and quality are used")->required();
     command
         ->add_option(
             "--directions", options->directions,
@@ -72,7 +72,7 @@ void add_probe_command(CLI::App& program) {
                      "CSV to write: the four columns and r, g, b, the radiance per unit of solar irradiance in 1/sr")
         ->required();
     add_backend_options(*command, options->backend);
-    add_quality_option(*command, options->quality, "Quality of the tables, instead of the scene's");
+    add_model_options(*command, options->model);
     command->callback([options] { run_probe(*options); });
 }
 

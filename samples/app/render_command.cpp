@@ -16,14 +16,15 @@ namespace {
 struct RenderOptions {
     std::filesystem::path scene, output, height_map;
     BackendOptions backend;
-    std::string quality, size, projection, sun_elevation;
+    ModelOptions model;
+    std::string size, projection, sun_elevation;
     std::uint32_t frames = 1, samples = 2;
     bool raster = false;
 };
 
 Scene load_scene(const RenderOptions& options) {
     Scene scene = read_scene(options.scene);
-    if (!options.quality.empty()) scene.quality = QualitySettings::by_name(options.quality);
+    scene.model = options.model.of(scene.model);
     if (options.projection == "perspective") scene.camera.projection = Projection::matrix;
     if (options.projection == "fisheye") scene.camera.projection = Projection::fisheye;
     if (options.projection == "panorama") scene.camera.projection = Projection::panorama;
@@ -110,7 +111,7 @@ void render(const RenderOptions& options) {
     if (scene.terrain)
         land = std::make_unique<Land>(scene, options.height_map.empty() ? scene.terrain->height_map : options.height_map);
     const std::unique_ptr<Backend> backend = open_backend(options.backend);
-    std::printf("%s: %s, quality %s\n", options.scene.c_str(), backend->describe().c_str(), scene.quality.name.c_str());
+    std::printf("%s: %s, %s\n", options.scene.c_str(), backend->describe().c_str(), scene.model.describe().c_str());
     std::fflush(stdout);
     auto renderer = std::make_unique<FrameRenderer>(*backend, scene, land.get(), frame_options);
     if (sequence) {
@@ -139,7 +140,7 @@ void add_render_command(CLI::App& program) {
             "Rec.709 radiance in 32-bit floats, in the unit of the sun's irradiance per steradian")
         ->required();
     add_backend_options(*command, options->backend);
-    add_quality_option(*command, options->quality, "Quality of the tables, instead of the scene's");
+    add_model_options(*command, options->model);
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels, instead of the scene's");
     command->add_option("--projection", options->projection, "Instead of the scene's")
         ->check(CLI::IsMember({"perspective", "fisheye", "panorama"}));

@@ -87,10 +87,8 @@ Scene read_root(Section root, const std::filesystem::path& folder) {
     read_size(root, scene);
     read_exposure(root, scene.exposure);
     scene.sun_disk = root.boolean("sun_disk").value_or(true);
-    if (const auto quality = root.choice("quality", {"low", "default", "high", "published-2020"})) {
-        constexpr std::string_view names[] = {"low", "default", "high", "published-2020"};
-        scene.quality = QualitySettings::by_name(names[*quality]);
-    }
+    if (const auto model = root.choice("model", model_names())) scene.model.name = model_names()[*model];
+    if (const auto quality = root.choice("quality", quality_names())) scene.model.quality = quality_names()[*quality];
     scene.aerial_perspective_distance_m =
         root.number("aerial_perspective_distance_m", {1, 1e9}).value_or(scene.aerial_perspective_distance_m);
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <aureole/camera.h>
+#include <aureole/model.h>
 #include <aureole/parameters.h>
-#include <aureole/quality.h>
 
 #include "io/height_map.h"
 
@@ -54,6 +54,17 @@ struct SceneExposure {
     double stops = 0;              ///< Added to either, in powers of two.
 };
 
+/// Which model makes the sky, and how finely.
+struct SceneModel {
+    std::string name = "aureole";     ///< One of model_names().
+    std::string quality = "default";  ///< One of quality_names().
+
+    /// Throws Error(invalid_argument) for a name that there is not.
+    [[nodiscard]] ModelPtr make() const { return model_by_name(name, quality); }
+    /// "model aureole, quality default"
+    [[nodiscard]] std::string describe() const { return "model " + name + ", quality " + quality; }
+};
+
 struct Scene {
     std::string title;
     AtmosphereParameters atmosphere;
@@ -61,7 +72,7 @@ struct Scene {
     SceneCamera camera;
     SceneExposure exposure;
     bool sun_disk = true;
-    QualitySettings quality = QualitySettings::standard();
+    SceneModel model;
     double aerial_perspective_distance_m = 96000;
     std::uint32_t width = 1280, height = 720;
     std::optional<SceneTerrain> terrain;

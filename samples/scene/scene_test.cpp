@@ -25,7 +25,8 @@ TEST_CASE("parse_scene: an empty file is Earth by night") {
     CHECK(scene.suns.empty());
     CHECK(scene.atmosphere.planet.top_radius_m == presets::earth().planet.top_radius_m);
     CHECK(scene.atmosphere.terms.size() == presets::earth().terms.size());
-    CHECK(scene.quality.name == "default");
+    CHECK(scene.model.name == "aureole");
+    CHECK(scene.model.quality == "default");
     CHECK(scene.width == 1280);
     CHECK_FALSE(scene.exposure.factor);
     CHECK_FALSE(scene.terrain);
@@ -38,6 +39,7 @@ size = [320, 200]
 exposure = 12.5
 exposure_stops = -1
 sun_disk = false
+model = "aureole"
 quality = "high"
 aerial_perspective_distance_m = 5e4
 [[sun]]
@@ -70,7 +72,8 @@ albedo = [0.1, 0.2, 0.3]
     CHECK(scene.exposure.factor == 12.5);
     CHECK(scene.exposure.stops == -1);
     CHECK_FALSE(scene.sun_disk);
-    CHECK(scene.quality.name == "high");
+    CHECK(scene.model.name == "aureole");
+    CHECK(scene.model.quality == "high");
     CHECK(scene.aerial_perspective_distance_m == 5e4);
     REQUIRE(scene.suns.size() == 2);
     const std::vector<Sun> suns = suns_of(scene);
@@ -201,7 +204,9 @@ TEST_CASE("parse_scene: faults elsewhere") {
     CHECK(contains(rejected("exposure = 0"), "t.toml:1: exposure: 0"));
     CHECK(contains(rejected("exposure = \"automatic\""), "allowed: \"auto\""));
     CHECK(contains(rejected("exposure_stops = 100"), "t.toml:1: exposure_stops: 100"));
-    CHECK(contains(rejected("quality = \"ultra\""), "allowed: \"low\", \"default\", \"high\", \"published-2020\""));
+    CHECK(contains(rejected("quality = \"ultra\""), "allowed: \"low\", \"default\", \"high\""));
+    CHECK(contains(rejected("model = \"preetham\""), "t.toml:1: model: \"preetham\" is not allowed; allowed: \""));
+    CHECK(contains(rejected("model = 1"), "t.toml:1: model: 1 is not allowed; allowed: \""));
     CHECK(contains(rejected("aerial_perspective_distance_m = 0"), "aerial_perspective_distance_m: 0"));
     CHECK(contains(rejected("[sun]\n"), "sun: a table is not allowed; allowed: an array of tables"));
     CHECK(

@@ -134,7 +134,7 @@ std::optional<std::string> Section::text(std::string_view key) {
     return node->as_string()->get();
 }
 
-std::optional<std::size_t> Section::choice(std::string_view key, std::initializer_list<std::string_view> choices) {
+std::optional<std::size_t> Section::choice(std::string_view key, std::span<const std::string_view> choices) {
     const toml::node* node = impl_->find(key);
     if (!node) return std::nullopt;
     std::string all;

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,7 +36,10 @@ public:
     [[nodiscard]] std::optional<bool> boolean(std::string_view key);
     [[nodiscard]] std::optional<std::string> text(std::string_view key);
     /// Index of the choice.
-    [[nodiscard]] std::optional<std::size_t> choice(std::string_view key, std::initializer_list<std::string_view> choices);
+    [[nodiscard]] std::optional<std::size_t> choice(std::string_view key, std::span<const std::string_view> choices);
+    [[nodiscard]] std::optional<std::size_t> choice(std::string_view key, std::initializer_list<std::string_view> choices) {
+        return choice(key, std::span(choices.begin(), choices.size()));
+    }
     [[nodiscard]] std::optional<Section> section(std::string_view key);
     [[nodiscard]] std::vector<Section> sections(std::string_view key);
 

@@ -5,9 +5,12 @@
 #include "physics/sky.h"
 #include "physics/truth.h"
 
+#include <aureole/models/aureole.h>
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 using namespace aureole;
@@ -25,14 +28,26 @@ struct Errors {
     }
 };
 
+/// Cameras in the air and rays that end in the sky, as tables that others measured have them.
+bool from_air_to_sky(const std::map<std::string, std::string>& row, const Planet& planet) {
+    const double altitude = 1000 * number(row, "altitude_km"),
+                 ratio = planet.bottom_radius_m / (planet.bottom_radius_m + altitude);
+    const double horizon = -std::sqrt((1 - ratio) * (1 + ratio));
+    return altitude < planet.top_radius_m - planet.bottom_radius_m &&
+           std::cos(number(row, "view_zenith_deg") * degree) > horizon;
+}
+
 /// Errors by zenith angle of the sun, in degrees.
-std::map<double, Errors> measure(const char* file, const AtmosphereParameters& air, const QualitySettings& quality) {
+std::map<double, Errors> measure(const char* file, const AtmosphereParameters& air, const ModelPtr& model,
+                                 bool sky_alone = false) {
     const TruthTable table = read_truth(file);
     std::map<std::pair<double, double>, std::vector<std::map<std::string, std::string>>> groups;
-    for (const auto& row : table.rows) groups[{number(row, "sun_zenith_deg"), number(row, "altitude_km")}].push_back(row);
+    for (const auto& row : table.rows)
+        if (!sky_alone || from_air_to_sky(row, air.planet))
+            groups[{number(row, "sun_zenith_deg"), number(row, "altitude_km")}].push_back(row);
 
     SkyOptions options;
-    options.quality = quality;
+    options.model = model;
     Sky sky(cpu_float(), air, options);
     std::map<double, Errors> errors;
     for (const auto& [place, rows] : groups) {
@@ -62,7 +77,7 @@ void check(const char* file, const AtmosphereParameters& air, const QualitySetti
            std::initializer_list<Limit> limits) {
     CAPTURE(file);
     CAPTURE(quality.name);
-    auto errors = measure(file, air, quality);
+    auto errors = measure(file, air, models::aureole(quality));
     CHECK(errors.size() == limits.size());
     for (const Limit& limit : limits) {
         CAPTURE(limit.sun_zenith_deg);
@@ -95,9 +110,24 @@ TEST_CASE("clear Earth, low quality: no worse than measured") {
           {{0, 1.6, 5.8}, {60, 2, 6.2}, {85, 2.8, 6}, {92, 5.7, 14}, {94, 12, 31}});
 }
 
-TEST_CASE("clear Earth, the published 2020 sampling: far from the truth where it was measured to be") {
-    check("earth.csv", clear(), QualitySettings::published_2020(),
-          {{0, 10, 26}, {60, 13, 26}, {85, 11, 61}, {92, 6.5, 130}, {94, 12, 130}});
+// Hillaire's own shaders on the same rays, measured by others: median 4.2 % with the sun at 0 to 75 degrees, 4.8 % at 85 to 90,
+// 12 % at 94 where the 32 texels of the sun's cosine carry the planet's shadow (p90 55 %). In this range it must be, to be the
+// technique that others are compared with: no worse, and no better.
+TEST_CASE("clear Earth, model hillaire: as far from the truth as the published technique") {
+    auto errors = measure("earth.csv", clear(), model_by_name("hillaire"), true);
+    struct Range {
+        double sun_zenith_deg, least_median, greatest_median, greatest_p90;
+    };
+    for (const Range& range : {Range{0, 2, 6, 9}, {60, 2, 6, 9}, {85, 1.2, 6, 9}, {92, 1.2, 6, 14}, {94, 6, 25, 90}}) {
+        Errors& e = errors.at(range.sun_zenith_deg);
+        std::printf("hillaire, sky: sun %3g deg: %3zu rows, median %6.3f %%, p90 %6.2f %%, max %6.1f %%\n",
+                    range.sun_zenith_deg, e.percent.size(), e.quantile(0.5), e.quantile(0.9), e.quantile(1));
+        CAPTURE(range.sun_zenith_deg);
+        CHECK(e.percent.size() >= 80);
+        CHECK(e.quantile(0.5) >= range.least_median);
+        CHECK(e.quantile(0.5) <= range.greatest_median);
+        CHECK(e.quantile(0.9) <= range.greatest_p90);
+    }
 }
 
 TEST_CASE("hazy Earth and dusty Mars: no worse than measured") {

@@ -42,7 +42,7 @@ def sections_of(page):
 
 def check(program, page):
     text = help_of(program)
-    commands = re.findall(r'^  ([a-z]+)  ', text[text.index('Subcommands:'):], re.M)
+    commands = re.findall(r'^  ([a-z]+)  ', text[text.index('Subcommands:'):].split('\n\n')[0], re.M)
     sections = sections_of(page)
     shared = sections.get('Where it runs', set())
     problems = [] if commands else ['no command found in the help text']

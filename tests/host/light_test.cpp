@@ -88,7 +88,8 @@ TEST_CASE("the light table's coefficients are those of the sky that the look-up 
         const std::vector<Answer> answers = ask(shown.rig, looks(directions));
         const LightTable light(read_back(shown, scene.suns.size()));
         // Measured: 2.9 % of the mean radiance, at dusk.
-        Worst worst("coefficient", 0, 0.03);
+        // A table with the aerosols' peak in it is harder on the few directions of the pass.
+        Worst worst("coefficient", 0, scene.setup.model ? 0.05 : 0.03);
         for (int i = 0; i < LightTable::coefficient_count; ++i) {
             Rgb sum(0);
             for (int sun = 0; sun < light.sun_count(); ++sun) sum += light.sky_coefficient(i, sun);

@@ -1,5 +1,7 @@
 #include "host/scenes.h"
 
+#include <aureole/models/hillaire.h>
+
 #include <numbers>
 
 namespace aureole::host {
@@ -22,11 +24,11 @@ Sun second_sun() {
     return sun;
 }
 
-QualitySettings small_published() {
-    QualitySettings quality = passes::small_quality();
-    quality.sampling = Sampling::published_2020;
-    quality.angular_order = 0;
-    return quality;
+/// Its tables have another axis of azimuth, and no layers for sharp phase functions.
+ModelPtr hillaire_in_float() {
+    models::HillaireSettings settings = models::HillaireSettings::low();
+    settings.table_format = settings.froxel_format = rhi::Format::rgba32_float;
+    return models::hillaire(settings);
 }
 
 }  // namespace
@@ -55,10 +57,10 @@ std::vector<Scene> scenes() {
                               scene_of("two suns", "earth", 300, {passes::sun_at(20), second_sun()}),
                               scene_of("airless", "airless", 100, {passes::sun_at(30)}),
                               scene_of("tabulated phase, fisheye", "earth", 50, {passes::sun_at(12)}),
-                              scene_of("published sampling", "earth", 2000, {passes::sun_at(5)})};
+                              scene_of("hillaire", "earth", 2000, {passes::sun_at(5)})};
     all[6].setup.air = tabulated_haze();
     all[6].camera.kind = all[6].setup.view.projection = Projection::fisheye;
-    all[7].setup.quality = small_published();
+    all[7].setup.model = hillaire_in_float();
     return all;
 }
 

@@ -16,7 +16,7 @@ struct Scene {
     Camera camera{};
 };
 
-/// Day, dawn, dusk, space, two suns, no air; a tabulated phase function behind a fisheye; the published sampling.
+/// Day, dawn, dusk, space, two suns, no air; a tabulated phase function behind a fisheye; another model.
 [[nodiscard]] std::vector<Scene> scenes();
 [[nodiscard]] Scene noon();
 

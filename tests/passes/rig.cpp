@@ -1,5 +1,7 @@
 #include "passes/rig.h"
 
+#include <aureole/models/aureole.h>
+
 #include <cmath>
 #include <numbers>
 

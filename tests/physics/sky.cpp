@@ -1,5 +1,7 @@
 #include "physics/sky.h"
 
+#include <aureole/models/aureole.h>
+
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <stdexcept>

@@ -74,8 +74,8 @@ public:
     /// stays complete meanwhile. A solution that has been started is finished for the air that it was started for, and shown;
     /// the next one is for the air of that moment, so air that changes every frame is followed: what is shown is
     /// less than two solutions' frames old. Solved at once all the same: the first solution, one after a change of the planet's
-    /// radii or of the structure, and published_2020 (one pass). n > 0 keeps a copy of what a solution reads: memory of one
-    /// more transmittance table, and of the tabulated profiles (table_bytes).
+    /// radii or of the structure, and that of a model without orders to solve (hillaire). n > 0 keeps a copy of what a solution
+    /// reads: memory of one more transmittance table, and of the tabulated profiles (table_bytes).
     void set_multi_scatter_passes_per_frame(int passes);
 
     /// Frame number, in the host's counting, of the recording that follows: objects replaced by set_* die after it. Any number;

@@ -40,8 +40,10 @@ using ModelPtr = std::shared_ptr<const Model>;
 
 /// Names of all models, from the cheapest to the dearest.
 [[nodiscard]] std::span<const std::string_view> model_names();
-/// A model by its name, in the quality "low", "default" or "high" (and "published-2020" for `aureole`, which then is
-/// `hillaire`). Throws Error(invalid_argument) naming the field ("model" or "quality") and what it may be.
+/// What one of them is, in a line. Throws as model_by_name does.
+[[nodiscard]] std::string_view model_summary(std::string_view name);
+/// A model by its name, in one of quality_names(). Throws Error(invalid_argument) naming the field ("model" or "quality") and
+/// what it may be.
 [[nodiscard]] ModelPtr model_by_name(std::string_view name, std::string_view quality = "default");
 
 }  // namespace aureole

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 namespace aureole {
 namespace detail {
@@ -44,35 +43,27 @@ private:
     QualitySettings quality_;
 };
 
-/// The block without what the froxels do not depend on: how bright and large the suns are, and how the picture is shown.
-ViewBlock for_froxels(ViewBlock block) {
-    block.composite = glm::vec4(0);
-    for (int sun = 0; sun < max_suns; ++sun)
-        block.sun_irradiance[sun] = block.sun_disk[sun] = block.sun_limb[sun] = glm::vec4(0);
-    return block;
-}
-bool same_froxels(const ViewBlock& a, const ViewBlock& b) {
-    const ViewBlock one = for_froxels(a), other = for_froxels(b);
-    return std::memcmp(&one, &other, sizeof one) == 0;
-}
-
 TableViewResources checked(const ViewResources& shared, const ViewSettings& settings, TrackedTexture& transmittance,
                            TrackedTexture& multi_scatter) {
-    require_view(shared.objects.device(), shared.air.quality, shared.suns, shared.layers_per_sun(),
-                 settings.aerial_perspective);
-    return {shared, transmittance, multi_scatter};
+    const QualitySettings& quality = shared.air.quality;
+    const std::uint32_t layers = layers_with_sharp_phases(shared.air.air);
+    const ViewTableSizes sizes{quality.sky_view.height, settings.aerial_perspective ? quality.aerial_perspective.height : 0};
+    require_view(shared.objects.device(), sizes, shared.suns, layers);
+    return {shared, transmittance, multi_scatter, layers, {}};
 }
 
 }  // namespace
 
 AureoleAir::AureoleAir(AirResources& shared, const AtmosphereParameters& parameters)
-    : shared_(shared), transmittance_(shared), multi_scatter_(shared, transmittance_.table(), order_ratio(parameters)) {}
+    : shared_(shared),
+      transmittance_(shared, {&shaders::transmittance, shared.quality.transmittance, shared.quality.table_format,
+                              shared.quality.transmittance_nodes}),
+      multi_scatter_(shared, transmittance_.table(), order_ratio(parameters)) {}
 
 std::span<const std::string_view> AureoleAir::passes() const noexcept { return air_passes; }
 
 void AureoleAir::complete(const AtmosphereParameters& parameters, AtmosphereBlock& block) const noexcept {
-    block.sun_mapping = sun_mapping(parameters.planet, shared_.quality.sampling);
-    if (shared_.quality.sampling == Sampling::published_2020) block.tables.z = 0;
+    block.sun_mapping = sun_mapping(parameters.planet);
 }
 
 void AureoleAir::restart(const AtmosphereParameters& parameters, const AtmosphereBlock& before, const AtmosphereBlock& fresh) {
@@ -112,8 +103,12 @@ std::unique_ptr<ModelView> AureoleAir::make_view(ViewResources& shared, const Vi
 AureoleView::AureoleView(ViewResources& shared, const ViewSettings& settings, TrackedTexture& transmittance,
                          TrackedTexture& multi_scatter)
     : shared_(checked(shared, settings, transmittance, multi_scatter)),
-      sky_view_(shared_),
-      froxels_(shared_, settings.aerial_perspective),
+      sky_view_(shared_, {&shaders::sky_view, shared.air.quality.sky_view, shared.air.quality.table_format,
+                          shared.air.quality.sky_view_nodes}),
+      froxels_(shared_,
+               {&shaders::aerial_perspective, shared.air.quality.aerial_perspective, shared.air.quality.froxel_format,
+                shared.air.quality.aerial_perspective_nodes},
+               FroxelWork::column, settings.aerial_perspective),
       kernels_{.composite = &shaders::composite,
                .composite_raster = &shaders::composite_raster,
                .light = &shaders::light,

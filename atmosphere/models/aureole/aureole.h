@@ -1,5 +1,5 @@
 // Our model's recorder: which of its passes are due. The passes have rooms of their own: transmittance, multi_scatter,
-// sky_view, aerial_perspective. The sampling of Hillaire 2020 goes through the same tables.
+// sky_view, aerial_perspective.
 #pragma once
 
 #include "aerial_perspective/aerial_perspective.h"

@@ -1,13 +1,14 @@
 #include "models/single/dome.h"
 
 #include "module/requirements.h"
+#include "sky_view/sky_view.h"
 
 namespace aureole::detail {
 namespace {
 
 rhi::TextureDesc table_desc(const ViewResources& shared, const models::Dome& dome) {
     const bool sharp = dome.phase == models::Dome::Phase::at_look_up;
-    const std::uint32_t layers = sharp ? shared.layers_per_sun() : 1;
+    const std::uint32_t layers = sharp ? layers_with_sharp_phases(shared.air.air) : 1;
     require_rows("dome.size.height", dome.size.height, shared.suns, layers, "device.max_texture_2d",
                  shared.objects.device().capabilities().max_texture_2d);
     return {"dome",

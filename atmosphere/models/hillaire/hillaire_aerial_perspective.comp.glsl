@@ -14,7 +14,7 @@ UNIFORMS(5, ViewBlock, view)
 IMAGE_3D(6, froxels_out)
 
 #include "common/view_ray.glsl"
-#include "published_2020/march_uniform.glsl"
+#include "models/hillaire/hillaire.glsl"
 #include "aerial_perspective/aerial_perspective.glsl"
 #include "aerial_perspective/store.glsl"
 
@@ -32,9 +32,10 @@ COMPUTE_MAIN(id) {
     Ray ray = air_ray(direction, max(entry, real(0)), sun, dot(pixel.direction, vec3(view.sun_direction[sun])));
     real position = texel_to_unit(id.z, size.z);
     ray.end = entry < 0 ? real(0) : min(view.froxels.x * position * position, distance_to_top(ray.altitude, ray.mu));
-    RayLight light = march_uniform(ray, 2 * id.z + 2);
+    RayLight light = march_steps(ray, 2 * id.z + 2, false);
     vec3 radiance = light.multiple;
     for (int c = 0; c < PHASE_COUNT; ++c)
         if (!phase_is_sharp(c)) radiance += light.single[c] * phase_value(c, ray.nu);
-    store_froxel(ivec3(id.x, row, id.z), rows, sun, light.depth, radiance, light.single);
+    vec3 depth = GREY_TRANSMITTANCE ? -log(max(transmittance_shown(light.depth), vec3(real(1e-30)))) : light.depth;
+    store_froxel(ivec3(id.x, row, id.z), rows, sun, depth, radiance, light.single);
 }

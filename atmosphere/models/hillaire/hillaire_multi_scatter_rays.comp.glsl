@@ -1,6 +1,5 @@
-// Multiple scattering of Hillaire 2020, section 5.5, first half: for each node of the table, 64 directions x 20 steps of light
-// scattered once with an isotropic phase (L_2nd) and of the share of light that scattering hands on (f_ms). One invocation a ray,
-// the 64 rays of a node side by side in x. L_2nd of node n stands in row 2 n, f_ms in row 2 n + 1.
+// Psi (hillaire.glsl), first half: 8 x 8 rays from each node of the table, even over the sphere. One invocation a ray, the 64 rays
+// of a node side by side in x. Their part of L_2nd of node n stands in row 2 n, of f_ms in row 2 n + 1.
 #include "common/constants.glsl"
 #include "common/blocks.glsl"
 #include "common/specialization.glsl"
@@ -14,7 +13,7 @@ SPEC_INT(8, RAY_STEPS, 20)
 SPEC_INT(15, SUN_NODES, 32)
 
 #include "common/ground.glsl"
-#include "published_2020/march_uniform.glsl"
+#include "models/hillaire/hillaire.glsl"
 
 LOCAL_SIZE(64, 1, 1)
 
@@ -22,8 +21,8 @@ COMPUTE_MAIN(id) {
     ivec2 size = imageSize(rays_out);
     if (id.x >= 64 || 2 * id.y >= size.y) return;
     int rows = size.y / (2 * SUN_NODES);
-    real altitude = altitude_at(texel_to_unit(id.y / SUN_NODES, rows));
-    real mu_s = sun_mu_at(texel_to_unit(id.y % SUN_NODES, SUN_NODES));
+    real altitude = psi_altitude(texel_to_unit(id.y / SUN_NODES, rows));
+    real mu_s = psi_sun_mu(texel_to_unit(id.y % SUN_NODES, SUN_NODES));
     real azimuth = 2 * PI * (real(id.x / 8) + real(0.5)) / real(8);
     real mu = 1 - 2 * (real(id.x % 8) + real(0.5)) / real(8);
 
@@ -35,7 +34,7 @@ COMPUTE_MAIN(id) {
     ray.ground = hits_ground(altitude, mu);
     ray.end = ray.ground ? distance_to_ground(altitude, mu) : distance_to_top(altitude, mu);
 
-    RayLight light = march_uniform(ray, RAY_STEPS);
+    RayLight light = march_steps(ray, RAY_STEPS, false);
     vec3 second = vec3(real(0));
     for (int c = 0; c < PHASE_COUNT; ++c) second += light.single[c] / (4 * PI);
     if (ray.ground) second += ground_radiance(light.depth, ground_beam_irradiance(sun_mu_after(ray, ray.end, real(0))));

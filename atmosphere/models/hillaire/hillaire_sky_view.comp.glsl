@@ -14,9 +14,9 @@ UNIFORMS(5, ViewBlock, view)
 IMAGE_2D(6, sky_view_out)
 SPEC_INT(8, RAY_STEPS, 30)
 
-#include "published_2020/march_uniform.glsl"
+#include "models/hillaire/hillaire.glsl"
 
-RayLight march(Ray ray) { return march_uniform(ray, RAY_STEPS); }
+RayLight march(Ray ray) { return march_steps(ray, RAY_STEPS, true); }
 
 #include "sky_view/sky_view.glsl"
 #include "sky_view/sky_view_texel.glsl"

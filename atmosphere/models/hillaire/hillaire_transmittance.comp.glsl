@@ -1,4 +1,4 @@
-// The transmittance table by uniform steps, as published.
+// The transmittance table by even steps, as published.
 #include "common/constants.glsl"
 #include "common/blocks.glsl"
 #include "common/specialization.glsl"
@@ -10,7 +10,7 @@ SPEC_INT(8, RAY_STEPS, 40)
 
 #include "common/geometry.glsl"
 #include "medium/medium.glsl"
-#include "published_2020/uniform_steps.glsl"
+#include "models/hillaire/steps.glsl"
 #include "transmittance/transmittance.glsl"
 
 LOCAL_SIZE(64, 1, 1)
@@ -21,11 +21,9 @@ COMPUTE_MAIN(id) {
     vec2 p = transmittance_altitude_mu(vec2(texel_to_unit(id.x, size.x), texel_to_unit(id.y, size.y)));
     real end = distance_to_top(p.x, p.y);
     vec3 depth = vec3(real(0));
-    real before = real(0);
     for (int i = 0; i < RAY_STEPS; ++i) {
-        real t = uniform_step_end(end, i, RAY_STEPS);
-        depth += medium_extinction(altitude_after(p.x, p.y, t)) * (t - before);
-        before = t;
+        RayStep s = even_step(end, i, RAY_STEPS);
+        depth += medium_extinction(altitude_after(p.x, p.y, s.t)) * s.dt;
     }
     imageStore(transmittance_out, ivec2(id.x, id.y), vec4(depth, real(0)));
 }

@@ -1,0 +1,46 @@
+#include "common/check.h"
+#include "common/check_table.h"
+
+#include <aureole/models/hillaire.h>
+
+namespace aureole::models {
+
+void validate(const HillaireSettings& s) {
+    constexpr double most_steps = 256;
+    detail::check_size_2d("transmittance", s.transmittance, 2, 4096);
+    detail::check("transmittance_steps", s.transmittance_steps, 1, most_steps);
+    detail::check_size_2d("multi_scatter", s.multi_scatter, 2, 256);
+    detail::check("multi_scatter_steps", s.multi_scatter_steps, 1, most_steps);
+    detail::check_sky_view("sky_view", s.sky_view);
+    detail::check("sky_view_steps", s.sky_view_steps, 1, most_steps);
+    detail::check_froxels("aerial_perspective", s.aerial_perspective);
+    detail::check("march_steps", s.march_steps, 1, most_steps);
+    detail::check_table_format("table_format", s.table_format);
+    detail::check_table_format("froxel_format", s.froxel_format);
+}
+
+HillaireSettings HillaireSettings::standard() { return {}; }
+
+HillaireSettings HillaireSettings::low() {
+    HillaireSettings s;
+    s.sky_view = {96, 50, 1};
+    s.sky_view_steps = 8;
+    s.aerial_perspective = {32, 32, 16};
+    return s;
+}
+
+HillaireSettings HillaireSettings::high() {
+    HillaireSettings s;
+    s.fast_sky = s.fast_aerial_perspective = false;
+    s.grey_transmittance = false;
+    return s;
+}
+
+HillaireSettings HillaireSettings::by_name(std::string_view name) {
+    if (name == "low") return low();
+    if (name == "default") return standard();
+    if (name == "high") return high();
+    detail::reject_quality(name);
+}
+
+}  // namespace aureole::models

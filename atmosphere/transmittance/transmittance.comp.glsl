@@ -12,72 +12,16 @@ SPEC_INT(8, RAY_NODES, 10)
 
 #define AUREOLE_PROFILE_TABLE 2
 #include "common/geometry.glsl"
-#include "common/ray_map.glsl"
 #include "medium/medium.glsl"
+#include "transmittance/column.glsl"
 #include "transmittance/transmittance.glsl"
 
 LOCAL_SIZE(64, 1, 1)
-
-// Column of one term's density over [t0, t1].
-real term_column(int i, real altitude, real mu, real t0, real t1, bool dense_end) {
-    real dense = dense_end ? t1 : t0;
-    real h = altitude_after(altitude, mu, dense);
-    real r = bottom_radius() + altitude;
-    real mu_dense = min(abs(r * mu + dense) / (bottom_radius() + h), real(1));
-    RayMap map = ray_map(max(t1 - t0, real(0)), h, mu_dense, term_kind(i) == PROFILE_EXPONENTIAL ? atm.term_profile[i].x : real(0), real(0));
-    real sum = real(0);
-    for (int j = 0; j < RAY_NODES; ++j) {
-        real u = quadrature.node[j].x;
-        real s = map_distance(map, u);
-        sum += term_density(i, altitude_after(altitude, mu, dense_end ? t1 - s : t0 + s)) * (quadrature.node[j].y * map_rate(map, u));
-    }
-    return sum;
-}
-
-// Optical depth of [t0, t1], on which altitude is monotone. Each term by itself: a tent is linear in altitude between its feet
-// and its tip, so the ray is cut there and the nodes converge on each part, which they would not do across a kink; a table's
-// kinks are unknown, so its ray is cut in eight.
-vec3 column(real altitude, real mu, real t0, real t1, bool upwards) {
-    vec3 depth = vec3(real(0));
-    for (int i = 0; i < TERM_COUNT; ++i) {
-        int kind = term_kind(i);
-        real sum = real(0);
-        if (kind == PROFILE_TENT) {
-            real tip = atm.term_profile[i].x;
-            real half_width = 1 / atm.term_profile[i].y;
-            real foot = clamp(distance_to_altitude(altitude, mu, max(tip - half_width, real(0)), upwards), t0, t1);
-            real middle = clamp(distance_to_altitude(altitude, mu, max(tip, real(0)), upwards), t0, t1);
-            real head = clamp(distance_to_altitude(altitude, mu, max(tip + half_width, real(0)), upwards), t0, t1);
-            sum = term_column(i, altitude, mu, min(foot, middle), max(foot, middle), !upwards) +
-                  term_column(i, altitude, mu, min(middle, head), max(middle, head), !upwards);
-        } else if (kind == PROFILE_TABULATED) {
-            for (int part = 0; part < 8; ++part) {
-                real a = real(part) / real(8);
-                real b = real(part + 1) / real(8);
-                // Squared like the nodes, so that the parts are short where the air is dense.
-                sum += upwards ? term_column(i, altitude, mu, mix(t0, t1, a * a), mix(t0, t1, b * b), false)
-                               : term_column(i, altitude, mu, mix(t1, t0, b * b), mix(t1, t0, a * a), true);
-            }
-        } else {
-            sum = term_column(i, altitude, mu, t0, t1, !upwards);
-        }
-        depth += sum * vec3(atm.term_extinction[i]);
-    }
-    return depth;
-}
 
 COMPUTE_MAIN(id) {
     ivec2 size = imageSize(transmittance_out);
     if (id.x >= size.x || id.y >= size.y) return;
     vec2 p = transmittance_altitude_mu(vec2(texel_to_unit(id.x, size.x), texel_to_unit(id.y, size.y)));
-    real end = distance_to_top(p.x, p.y);
-    // A ray that starts downwards passes a lowest point above the ground; the table excludes those that hit it.
-    real lowest = clamp(-(bottom_radius() + p.x) * p.y, real(0), end);
-    COUNT(RAY_NODES);
-    vec3 depth = column(p.x, p.y, lowest, end, true);
-    if (lowest > 0) {
-        COUNT(RAY_NODES);
-        depth += column(p.x, p.y, real(0), lowest, false);
-    }
+    vec3 depth = optical_depth_along(p.x, p.y, distance_to_top(p.x, p.y));
     imageStore(transmittance_out, ivec2(id.x, id.y), vec4(depth, real(0)));
 }

@@ -36,7 +36,17 @@ vec3 optical_depth_to_top(real altitude, real mu) {
     ivec2 size = textureSize(transmittance_table, 0);
     return vec3(SAMPLE(transmittance_table, vec2(unit_to_texture(position.x, size.x), unit_to_texture(position.y, size.y))));
 }
+#endif
 
+// The same for kernels that integrate instead of looking up: they include transmittance/column.glsl first.
+#ifdef AUREOLE_TRANSMITTANCE_COLUMN
+vec3 optical_depth_to_top(real altitude, real mu) {
+    real above = max(mu, horizon_mu(altitude));
+    return optical_depth_along(altitude, above, distance_to_top(altitude, above));
+}
+#endif
+
+#if defined(AUREOLE_TRANSMITTANCE_TABLE) || defined(AUREOLE_TRANSMITTANCE_COLUMN)
 vec3 transmittance_to_top(real altitude, real mu) { return exp(-optical_depth_to_top(altitude, mu)); }
 
 // To the sun, a point: 0 behind the ground.

@@ -21,6 +21,7 @@ struct Setup {
     QualitySettings quality = small_quality();
     ViewSettings view{};
     CompositeSettings composite{};
+    ModelPtr model{};  ///< Null: our own, in that quality.
 };
 
 /// An atmosphere alone.

@@ -82,7 +82,7 @@ DensityTerm even_term(const Rgb& scattering_per_m, const Rgb& absorption_per_m, 
 Sky::Sky(Machine& machine, const AtmosphereParameters& parameters, const SkyOptions& options)
     : machine_(machine),
       suns_(options.suns),
-      air_(machine.device(), parameters, options.quality),
+      air_(machine.device(), parameters, options.model ? options.model : models::aureole(options.quality)),
       view_(air_, sky_settings(options), sky_composite(options)) {
     targets_.extent = sky_extent;
     targets_.target = machine.texture("radiance", rhi::Format::rgba32_float, sky_extent, target_usage);
@@ -111,7 +111,7 @@ void Sky::place(const glm::dvec3& position_m, std::span<const Sun> suns) {
 }
 
 void Sky::look_at(std::span<const glm::dvec3> directions) {
-    std::vector<float> texels(4 * sky_texels, 1.0F);
+    std::vector<float> texels(4 * sky_texels, 0.0F);  // no direction, no work
     for (std::size_t i = 0; i < directions.size(); ++i)
         for (int c = 0; c < 3; ++c) texels[4 * i + static_cast<std::size_t>(c)] = static_cast<float>(directions[i][c]);
     machine_.upload(targets_.directions, texels, directions_state_, rhi::State::sampled);

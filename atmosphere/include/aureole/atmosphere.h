@@ -197,6 +197,8 @@ public:
     // Tables stay the same textures until the structure of the air changes (set_parameters).
     [[nodiscard]] rhi::Texture sky_view_table() const noexcept;            ///< See sky_view.glsl.
     [[nodiscard]] rhi::Texture aerial_perspective_table() const noexcept;  ///< See aerial_perspective.glsl.
+    /// Of a model in which frames add up (models/reference.h, if it is asked for a film); else null. rgba32_float, to be read back.
+    [[nodiscard]] rhi::Texture film_table() const noexcept;
     /// 10 x max_suns rgba32_float texels, one row a sun: [0..8] SH-L2 coefficients of sky radiance (world axes, real basis in
     /// the order 00, 1-1, 10, 11, 2-2 .. 22), [9] the sun's transmitted irradiance at the camera. The same on every backend;
     /// LightTable (light.h) takes what was read back. Null without ViewSettings::light.

@@ -1,0 +1,73 @@
+// Optical depth along a ray by quadrature. Needs `atm`, `quadrature` with RAY_NODES nodes, and the medium.
+#ifndef AUREOLE_COLUMN_GLSL
+#define AUREOLE_COLUMN_GLSL
+
+#include "common/geometry.glsl"
+#include "common/ray_map.glsl"
+#include "medium/medium.glsl"
+
+// Column of one term's density over [t0, t1].
+real term_column(int i, real altitude, real mu, real t0, real t1, bool dense_end) {
+    real dense = dense_end ? t1 : t0;
+    real h = altitude_after(altitude, mu, dense);
+    real r = bottom_radius() + altitude;
+    real mu_dense = min(abs(r * mu + dense) / (bottom_radius() + h), real(1));
+    RayMap map = ray_map(max(t1 - t0, real(0)), h, mu_dense, term_kind(i) == PROFILE_EXPONENTIAL ? atm.term_profile[i].x : real(0), real(0));
+    real sum = real(0);
+    for (int j = 0; j < RAY_NODES; ++j) {
+        real u = quadrature.node[j].x;
+        real s = map_distance(map, u);
+        sum += term_density(i, altitude_after(altitude, mu, dense_end ? t1 - s : t0 + s)) * (quadrature.node[j].y * map_rate(map, u));
+    }
+    return sum;
+}
+
+// Optical depth of [t0, t1], on which altitude is monotone. Each term by itself: a tent is linear in altitude between its feet
+// and its tip, so the ray is cut there and the nodes converge on each part, which they would not do across a kink; a table's
+// kinks are unknown, so its ray is cut in eight.
+vec3 column(real altitude, real mu, real t0, real t1, bool upwards) {
+    vec3 depth = vec3(real(0));
+    for (int i = 0; i < TERM_COUNT; ++i) {
+        int kind = term_kind(i);
+        real sum = real(0);
+        if (kind == PROFILE_TENT) {
+            real tip = atm.term_profile[i].x;
+            real half_width = 1 / atm.term_profile[i].y;
+            real foot = clamp(distance_to_altitude(altitude, mu, max(tip - half_width, real(0)), upwards), t0, t1);
+            real middle = clamp(distance_to_altitude(altitude, mu, max(tip, real(0)), upwards), t0, t1);
+            real head = clamp(distance_to_altitude(altitude, mu, max(tip + half_width, real(0)), upwards), t0, t1);
+            sum = term_column(i, altitude, mu, min(foot, middle), max(foot, middle), !upwards) +
+                  term_column(i, altitude, mu, min(middle, head), max(middle, head), !upwards);
+        } else if (kind == PROFILE_TABULATED) {
+            for (int part = 0; part < 8; ++part) {
+                real a = real(part) / real(8);
+                real b = real(part + 1) / real(8);
+                // Squared like the nodes, so that the parts are short where the air is dense.
+                sum += upwards ? term_column(i, altitude, mu, mix(t0, t1, a * a), mix(t0, t1, b * b), false)
+                               : term_column(i, altitude, mu, mix(t1, t0, b * b), mix(t1, t0, a * a), true);
+            }
+        } else {
+            sum = term_column(i, altitude, mu, t0, t1, !upwards);
+        }
+        depth += sum * vec3(atm.term_extinction[i]);
+    }
+    return depth;
+}
+
+// Optical depth of the first `end` km of a ray. One that starts downwards is cut at its lowest point; a ray that hits the ground
+// ends before it.
+vec3 optical_depth_along(real altitude, real mu, real end) {
+    real lowest = clamp(-(bottom_radius() + altitude) * mu, real(0), end);
+    vec3 depth = vec3(real(0));
+    if (lowest < end) {
+        COUNT(RAY_NODES);
+        depth += column(altitude, mu, lowest, end, true);
+    }
+    if (lowest > 0) {
+        COUNT(RAY_NODES);
+        depth += column(altitude, mu, real(0), lowest, false);
+    }
+    return depth;
+}
+
+#endif

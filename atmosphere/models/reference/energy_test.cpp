@@ -19,7 +19,7 @@ AtmosphereParameters air_of(bool absorbing) {
     AtmosphereParameters air;
     air.planet.ground_albedo = Rgb(absorbing ? 0.4 : 1.0);
     air.terms = {{"molecules", ExponentialProfile{8 * km}, Rgb(5.802e-6, 13.558e-6, 33.1e-6), Rgb(0), RayleighPhase{}},
-                 {"dust", ExponentialProfile{3 * km}, Rgb(40e-6), Rgb(absorbing ? 20e-6 : 0.0), CornetteShanksPhase{0.7}}};
+                 {"dust", ExponentialProfile{3 * km}, Rgb(40e-6), Rgb(absorbing ? 20e-6 : 0.0), CornetteShanksPhase{0.3}}};
     return air;
 }
 
@@ -88,13 +88,13 @@ private:
         }
         return glm::exp(-depth);
     }
-    /// Mean over places, which follow from altitude (the sequence's x) and sun (its y, all cosines alike).
+    /// Mean over places, which follow from altitude (the sequence's x) and sun (its y within strata of the cosine).
     template <class F>
     [[nodiscard]] Rgb average(const F& f) {
         constexpr int places = 48;
         const Even even{replicate_ * 0.6180339887, replicate_ * 0.3247179572};
         Rgb total(0);
-        for (int i = 0; i < places; ++i) total += f(even(i).x, 2 * even(i).y - 1);
+        for (int i = 0; i < places; ++i) total += f(even(i).x, 2 * (i + even(i).y) / places - 1);
         return total / static_cast<double>(places);
     }
     /// Mean radiance of directions whose zenith cosines are drawn by `cosine`. Other paths at each place.

@@ -3,11 +3,11 @@
 // The light that reaches the camera along a ray obeys (Chandrasekhar 1960, chapter 1)
 //   L(v) = integral T(0, t) sum_c sigma_c(t) integral p_c(v . w) L'(t, w) dw dt + T(0, end) albedo / pi integral cos L'(end, w) dw,
 // where L' is the suns' light and L itself. A path draws one term of the sum, a place t and a direction w for each of the integrals,
-// and goes on there with the weight (what is true) / (density of the draw). At each of its places the suns' light is added exactly:
-// their directions are known, their transmittance is a quadrature, the ground's shadow is a comparison of cosines (next-event
-// estimation; Pharr, Jakob & Humphreys 2023, section 14.2). A leg always ends in the air or on the ground: light that would leave is
-// no part of the sum, so paths are not spent on it, their weight says how much was left. All three channels travel together: the
-// density of each draw is that of the mixture over the channels, so no weight can grow large in one of them.
+// and goes on there with the weight (what is true) / (density of the draw). From each of its legs the suns' light is taken at one
+// place, exactly: their directions are known, their transmittance is a quadrature, the ground's shadow is a comparison of cosines
+// (next-event estimation; Pharr, Jakob & Humphreys 2023, section 14.2). A leg always ends in the air or on the ground: light that
+// would leave is no part of the sum, so paths are not spent on it, their weight says how much was left. All three channels travel
+// together: the density of each draw is that of the mixture over the channels, so no weight can grow large in one of them.
 //
 // The first order is an integral along a line and needs no paths: Gauss nodes (march.glsl), or, if FIRST_ORDER_SAMPLED, as the rest.
 //
@@ -46,50 +46,7 @@ vec3 scattered_diffuse(real, real, real, real, vec3[MAX_PHASES]) { return vec3(r
 #include "common/ground.glsl"
 #include "models/reference/leg.glsl"
 
-CONST(int, ALL_SUNS, -1)
 CONST(int, LAST_ORDER, 4096)  // of paths without a limit
-
-// Light of a sun at the top of the air: all suns together, or of one a unit.
-vec3 sunlight(int sun, int only) {
-    if (only == ALL_SUNS) return vec3(view.sun_irradiance[sun]);
-    return vec3(only == sun ? real(1) : real(0));
-}
-
-// A point in the air and a direction there.
-struct Walk {
-    real altitude;
-    vec3 up;         // unit, from the planet's centre, world axes
-    vec3 direction;  // unit, away from the camera
-    real mu;         // cosine between the two
-};
-
-// The walk of a camera's ray: where it enters the air, or misses it.
-struct CameraWalk {
-    Walk walk;
-    bool met;
-};
-CameraWalk camera_walk(vec3 direction, ViewDirection v) {
-    CameraWalk result;
-    real entry = distance_to_air(v);
-    result.met = entry >= 0;
-    Ray ray = air_ray(v, max(entry, real(0)), 0, real(0));
-    result.walk.altitude = ray.altitude;
-    result.walk.mu = ray.mu;
-    result.walk.direction = direction;
-    vec3 there = (bottom_radius() + view.space.x) * vec3(view.up) + max(entry, real(0)) * direction;
-    result.walk.up = view.camera.w > real(0.5) ? normalize(there) : vec3(view.up);
-    return result;
-}
-
-// After a distance t, with the zenith cosine that belongs to it.
-Walk walk_on(Walk walk, real t, bool ground) {
-    Walk next;
-    next.altitude = ground ? real(0) : min(altitude_after(walk.altitude, walk.mu, t), shell_thickness());
-    next.up = normalize((bottom_radius() + walk.altitude) * walk.up + t * walk.direction);
-    next.direction = walk.direction;
-    next.mu = dot(next.up, next.direction);
-    return next;
-}
 
 // A direction at an angle of this cosine from the axis, and the azimuth 2 pi u around it.
 vec3 turned(vec3 axis, real cosine, real u) {
@@ -101,23 +58,44 @@ vec3 turned(vec3 axis, real cosine, real u) {
     return normalize(cosine * axis + sine * (cos(azimuth) * a + sin(azimuth) * b));
 }
 
-// Sunlight that air sends on along the walk, per unit of the weight.
-vec3 lit_air(Walk walk, Medium air, int only) {
+// Light of the suns from a place in the air on its way along the leg, and off the ground at its end, per unit of the weight.
+vec3 light_from_air(Walk walk, Place place, int only) {
+    Walk there = walk_on(walk, place.t, false);
+    Medium air = sample_medium(there.altitude);
     vec3 radiance = vec3(real(0));
     for (int sun = 0; sun < SUN_COUNT; ++sun) {
         vec3 towards = vec3(view.sun_direction[sun]);
-        vec3 scattered = vec3(real(0));
-        for (int c = 0; c < PHASE_COUNT; ++c) scattered += air.scattering[c] * phase_value(c, dot(walk.direction, towards));
-        radiance += scattered * transmittance_to_sun(walk.altitude, dot(walk.up, towards)) * sunlight(sun, only);
-    }
-    return radiance;
-}
-vec3 lit_ground(Walk walk, int only) {
-    vec3 radiance = vec3(real(0));
-    for (int sun = 0; sun < SUN_COUNT; ++sun)
-        radiance += ground_radiance(vec3(real(0)), ground_beam_irradiance(dot(walk.up, vec3(view.sun_direction[sun])))) *
+        radiance += scattered_to(air, walk.direction, towards) * transmittance_to_sun(there.altitude, dot(there.up, towards)) *
                     sunlight(sun, only);
-    return radiance;
+    }
+    return exp(-optical_depth_along(walk.altitude, walk.mu, place.t)) * radiance;
+}
+vec3 light_from_ground(Walk walk, Leg leg, int only) {
+    vec3 up = walk_on(walk, leg.end, true).up;
+    vec3 irradiance = vec3(real(0));
+    for (int sun = 0; sun < SUN_COUNT; ++sun)
+        irradiance += ground_beam_irradiance(dot(up, vec3(view.sun_direction[sun]))) * sunlight(sun, only);
+    return ground_radiance(optical_depth_along(walk.altitude, walk.mu, leg.end), irradiance);
+}
+// The same roughly, to choose between the two.
+real rough_ground_light(Walk walk, Leg leg, vec3 weight, int only) {
+    vec3 up = walk_on(walk, leg.end, true).up;
+    vec3 irradiance = vec3(real(0));
+    for (int sun = 0; sun < SUN_COUNT; ++sun) {
+        real mu_s = dot(up, vec3(view.sun_direction[sun]));
+        irradiance += max(mu_s, real(0)) * exp(-rough_sun_depth(real(0), mu_s)) * sunlight(sun, only);
+    }
+    return dot(weight, ground_radiance(leg.depth, irradiance));
+}
+// One draw of the light along a leg.
+vec3 light_on_leg(Walk walk, Leg leg, vec3 weight, vec4 random, int only) {
+    LegLight light = light_of(leg, weight);
+    real ground = leg.ground ? rough_ground_light(walk, leg, weight, only) : real(0);
+    real share = ground > 0 ? (TERM_COUNT == 0 ? real(1) : clamp(ground / (ground + light.whole), real(0.05), real(0.95))) : real(0);
+    if (random.x < share) return weight * light_from_ground(walk, leg, only) / share;
+    if (TERM_COUNT == 0) return vec3(real(0));
+    Place place = draw_lit_place(leg, light, random.y, random.z);
+    return place.density > 0 ? weight * light_from_air(walk, place, only) / (place.density * (1 - share)) : vec3(real(0));
 }
 
 // Light scattered or reflected once, by quadrature. A kernel may take other values of phase functions by defining
@@ -159,30 +137,89 @@ vec3 first_order(Walk walk, Leg leg, int only) {
     return radiance;
 }
 
-// Where the path goes from a point in the air; the weight takes what phase functions and scattering coefficients say.
-vec3 scatter(Medium air, vec3 axis, vec4 random, INOUT(vec3) weight) {
-    real share[MAX_PHASES];
-    real sum = real(0);
+// Where a path goes from a place: about an axis, as the phase functions there scatter, or, one time in four, about a sun. Light that
+// arrives nearly along a sun's beam is scattered forwards once more, so strongly that paths which only ever found it by chance would
+// scatter far about their mean.
+CONST(real, SUN_SHARE, real(0.25))
+
+struct Lobes {
+    real share[MAX_PHASES];  // of the phase functions, by what the air there scatters of the weight
+    real sum;
+};
+Lobes lobes_of(Medium air, vec3 weight) {
+    Lobes lobes;
+    lobes.sum = real(0);
     for (int c = 0; c < PHASE_COUNT; ++c) {
-        share[c] = dot(weight, air.scattering[c]);
-        sum += share[c];
+        lobes.share[c] = dot(weight, air.scattering[c]);
+        lobes.sum += lobes.share[c];
     }
-    real pick = random.x * sum;
+    return lobes;
+}
+// A cosine from them, and their density, 1/sr. There must be something to choose from.
+real draw_cosine(Lobes lobes, real pick, real u, real v) {
     int chosen = 0;
     real passed = real(0);
     for (int c = 0; c < PHASE_COUNT; ++c) {
-        if (share[c] > 0 && pick >= passed) chosen = c;
-        passed += share[c];
+        if (lobes.share[c] > 0 && pick * lobes.sum >= passed) chosen = c;
+        passed += lobes.share[c];
     }
-    real nu = sample_phase(chosen, random.y, random.z);
-    vec3 truth = vec3(real(0));
-    real drawn = real(0);
-    for (int c = 0; c < PHASE_COUNT; ++c) {
-        truth += air.scattering[c] * phase_value(c, nu);
-        drawn += share[c] * sampled_phase_density(c, nu);
+    return sample_phase(chosen, u, v);
+}
+real cosine_density(Lobes lobes, real nu) {
+    real density = real(0);
+    for (int c = 0; c < PHASE_COUNT; ++c) density += lobes.share[c] * sampled_phase_density(c, nu);
+    return density / lobes.sum;
+}
+// Chances of the suns.
+real sun_chance(int sun, int only) { return dot(sunlight(sun, only), vec3(real(1))); }
+struct SunChoice {
+    vec3 towards;
+    real all;  // sum of the chances; 0: no sun shines
+};
+SunChoice choose_sun(real pick, int only) {
+    SunChoice choice;
+    choice.all = real(0);
+    for (int sun = 0; sun < SUN_COUNT; ++sun) choice.all += sun_chance(sun, only);
+    choice.towards = vec3(view.sun_direction[0]);
+    real passed = real(0);
+    for (int sun = 0; sun < SUN_COUNT; ++sun) {
+        real chance = sun_chance(sun, only);
+        if (chance > 0 && pick * choice.all >= passed) choice.towards = vec3(view.sun_direction[sun]);
+        passed += chance;
     }
-    weight = drawn > 0 ? weight * truth * (sum / drawn) : vec3(real(0));
-    return turned(axis, nu, random.w);
+    return choice;
+}
+real sun_lobes_density(Lobes lobes, vec3 direction, real all, int only) {
+    real density = real(0);
+    for (int sun = 0; sun < SUN_COUNT; ++sun)
+        density += sun_chance(sun, only) / all * cosine_density(lobes, dot(direction, vec3(view.sun_direction[sun])));
+    return density;
+}
+
+// The next direction; the weight takes what phase functions and scattering coefficients, or the ground's cosine and albedo, say.
+vec3 turn(Walk walk, bool on_ground, vec4 random, real sun_pick, int only, INOUT(vec3) weight) {
+    Medium air = sample_medium(walk.altitude);
+    Lobes lobes = lobes_of(air, weight);
+    SunChoice sun = choose_sun(sun_pick, only);
+    bool scatters = lobes.sum > 0;
+    real sun_share = scatters && sun.all > 0 ? SUN_SHARE : real(0);
+    bool to_sun = random.x < sun_share;
+    real pick = to_sun ? random.x / max(sun_share, real(1e-20)) : (random.x - sun_share) / (1 - sun_share);
+    // By the cosine from the ground.
+    real cosine = on_ground && !to_sun ? sqrt(random.y) : (scatters ? draw_cosine(lobes, pick, random.y, random.z) : real(1));
+    vec3 direction = turned(to_sun ? sun.towards : (on_ground ? walk.up : walk.direction), cosine, random.w);
+
+    real nu = to_sun ? dot(on_ground ? walk.up : walk.direction, direction) : cosine;
+    vec3 truth = max(nu, real(0)) / PI * vec3(atm.ground_albedo);
+    real density = max(nu, real(0)) / PI;
+    if (!on_ground) {
+        truth = vec3(real(0));
+        for (int c = 0; c < PHASE_COUNT; ++c) truth += air.scattering[c] * phase_value(c, nu);
+        density = scatters ? cosine_density(lobes, nu) : real(0);
+    }
+    if (sun_share > 0) density = mix(density, sun_lobes_density(lobes, direction, sun.all, only), sun_share);
+    weight = density > 0 ? weight * truth / density : vec3(real(0));
+    return direction;
 }
 
 real largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
@@ -196,7 +233,9 @@ vec3 path_radiance(Walk walk, Leg leg, int only, uint x, uint y, uint path) {
     for (int order = 1; order <= limit; ++order) {
         vec4 where = random_numbers(x, y, path, draw);
         vec4 whither = random_numbers(x, y, path, draw + 1u);
-        draw += 2u;
+        vec4 light = random_numbers(x, y, path, draw + 2u);
+        draw += 3u;
+        if (order > 1 || FIRST_ORDER_SAMPLED) radiance += light_on_leg(walk, leg, weight, light, only);
         real before = largest(weight);
 
         // The ground, or the air before it, by what the stand-in says of their shares.
@@ -214,19 +253,8 @@ vec3 path_radiance(Walk walk, Leg leg, int only, uint x, uint y, uint path) {
         weight = place.density > 0 ? weight / place.density : vec3(real(0));
         walk = walk_on(walk, place.t, on_ground);
 
-        bool counts = order > 1 || FIRST_ORDER_SAMPLED;
-        if (on_ground) {
-            if (counts) radiance += weight * lit_ground(walk, only);
-            // By the cosine: its density cancels that of the reflection but for the albedo.
-            walk.mu = sqrt(whither.y);
-            walk.direction = turned(walk.up, walk.mu, whither.w);
-            weight *= vec3(atm.ground_albedo);
-        } else {
-            Medium air = sample_medium(walk.altitude);
-            if (counts) radiance += weight * lit_air(walk, air, only);
-            walk.direction = scatter(air, walk.direction, whither, weight);
-            walk.mu = dot(walk.up, walk.direction);
-        }
+        walk.direction = turn(walk, on_ground, whither, light.w, only, weight);
+        walk.mu = dot(walk.up, walk.direction);
 
         // Roulette: from some order on what is left of the weight is the chance to go on, and survivors make up for the others.
         if (order >= ROULETTE_ORDER) {
@@ -234,7 +262,7 @@ vec3 path_radiance(Walk walk, Leg leg, int only, uint x, uint y, uint path) {
             weight = where.w < chance ? weight / chance : vec3(real(0));
         }
         if (!(largest(weight) > 0) || order == limit) break;
-        leg = leg_to_end(walk.altitude, walk.mu);
+        leg = leg_to_end(walk, true, only);
     }
     return radiance;
 }

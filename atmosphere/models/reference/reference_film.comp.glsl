@@ -34,7 +34,7 @@ COMPUTE_MAIN(id) {
         exact = vec3(film_texel(texel, 2));
     }
     if (ray.valid && start.met) {
-        Leg leg = leg_to_end(start.walk.altitude, start.walk.mu);
+        Leg leg = leg_to_end(start.walk, FIRST_ORDER_SAMPLED, ALL_SUNS);
         if (before == 0) exact = exact_part(start.walk, leg, ALL_SUNS);
         add_paths(estimate, start.walk, leg, ALL_SUNS, uint(id.x), uint(id.y), before, int(film_frame.paths.y));
     }

@@ -19,7 +19,7 @@ vec3 smooth_sky_radiance(int sun, real mu, real sine, real azimuth_cosine, real)
     vec3 direction = mu * up + sine * (azimuth_cosine * towards + across * cross(up, towards));
     CameraWalk start = camera_walk(direction, view_direction(direction));
     if (!start.met) return vec3(real(0));
-    Leg leg = leg_to_end(start.walk.altitude, start.walk.mu);
+    Leg leg = leg_to_end(start.walk, FIRST_ORDER_SAMPLED, sun);
     Estimate estimate = no_estimate();
     add_paths(estimate, start.walk, leg, sun, cosine_number(mu), cosine_number(azimuth_cosine), 0, LIGHT_PATHS);
     return exact_part(start.walk, leg, sun) + estimate.mean;

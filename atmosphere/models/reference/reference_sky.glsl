@@ -35,7 +35,7 @@ vec3 traced(ivec2 pixel, Walk walk, Leg leg) {
 vec3 traced_sky(ivec2 pixel, vec3 direction, ViewDirection v, vec3 beyond) {
     CameraWalk start = camera_walk(direction, v);
     if (!start.met) return SHOW_ERROR ? vec3(real(0)) : beyond;
-    Leg leg = leg_to_end(start.walk.altitude, start.walk.mu);
+    Leg leg = leg_to_end(start.walk, FIRST_ORDER_SAMPLED, ALL_SUNS);
     vec3 radiance = vec3(real(0));
     if (FILM && !GIVEN_DIRECTIONS) radiance = film_sky(pixel);
     else radiance = traced(pixel, start.walk, leg);
@@ -50,7 +50,7 @@ AerialPerspective aerial_perspective(real x, real y, real distance_km, vec3 dire
     AerialPerspective result;
     result.transmittance = SHOW_ERROR ? vec3(real(0)) : exp(-optical_depth_along(start.walk.altitude, start.walk.mu, end));
     result.radiance = traced(ivec2(int(x * target.size.x), int(y * target.size.y)), start.walk,
-                             make_leg(start.walk.altitude, start.walk.mu, end, false));
+                             make_leg(start.walk, end, false, FIRST_ORDER_SAMPLED, ALL_SUNS));
     return result;
 }
 

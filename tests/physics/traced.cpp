@@ -59,7 +59,7 @@ void Scores::check(const char* what, std::size_t least) const {
                 worst_.value(), 100 * share);
     CHECK(all_.size() >= least);
     CHECK(rms < 1.3);
-    CHECK(share < 0.015);
+    CHECK(share < 0.02);
     CHECK(worst_.value() < 4.5);
 }
 

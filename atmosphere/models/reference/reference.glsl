@@ -26,7 +26,7 @@ CONST(bool, FIRST_ORDER_SAMPLED, false)
 #else
 SPEC_BOOL(28, FIRST_ORDER_SAMPLED, false)
 #endif
-SPEC_INT(29, FIRST_ORDER_PARTS, 4)       // 1, 2, 4, 8, 16: pieces that the ray is cut into
+SPEC_INT(29, FIRST_ORDER_PARTS, 16)      // 1, 2, 4, 8, 16: pieces that the ray is cut into
 SPEC_INT(30, ROULETTE_ORDER, 4)          // from here on a path survives with the share that its weight keeps
 SPEC_INT(31, SEED, 0)
 

@@ -34,7 +34,7 @@ struct ReferenceSettings {
     /// the ray), and noisier. False: by Gauss nodes.
     bool sampled_first_order = false;
     /// Pieces of the camera's ray for the first order: 1, 2, 4, 8 or 16, with `nodes` nodes on each smooth part of each.
-    int first_order_parts = 4;
+    int first_order_parts = 16;
     /// Gauss nodes of every transmittance. In [4, 16]. What they miss is the bias: reference.md has figures.
     int nodes = 16;
     /// From this event on paths end at random, and survivors count for them. In [1, 4096]. More: less noise, more work.

@@ -90,14 +90,16 @@ void ReferenceView::make_film(ViewResources& shared) {
     Specialize values = shared.specialize();
     for (const rhi::Specialization& value : specialization(settings_).values()) values.set(value);
     pipeline_ = shared.objects.compute(shaders::reference_film, values.values());
-    const std::array slots{rhi::Binding{0, {}, {}, shared.air.block.handle},
+    std::array slots{rhi::Binding{0, {}, {}, shared.air.block.handle},
                            rhi::Binding{1, {}, {}, shared.block.handle},
-                           rhi::Binding{2, film_.handle, shared.air.nearest, {}},
+                           rhi::Binding{2, shared.air.profile_table.handle, shared.air.nearest, {}},
                            rhi::Binding{3, next_.handle, {}, {}},
                            rhi::Binding{7, shared.air.phase_table.handle, shared.air.nearest, {}},
                            rhi::Binding{10, shared.air.profile_table.handle, shared.air.nearest, {}},
                            rhi::Binding{11, {}, {}, quadrature_.handle}};
-    bindings_ = shared.objects.bindings("film", pipeline_, slots);
+    start_ = shared.objects.bindings("film, new", pipeline_, slots);
+    slots[2].texture = film_.handle;
+    go_on_ = shared.objects.bindings("film", pipeline_, slots);
 }
 
 std::span<const std::string_view> ReferenceView::passes() const noexcept {
@@ -126,9 +128,9 @@ void ReferenceView::record(rhi::CommandList& commands, std::span<PassReport> rep
     const int more = std::min(settings_.paths_per_frame, settings_.max_paths - paths_);
     if (!has_film() || (more == 0 && started_)) return;
     PassScope scope(commands, reports[0], timestamps, 0);
-    move(commands, {{&film_, rhi::State::sampled}, {&next_, rhi::State::storage_write}});
+    move(commands, {{&next_, rhi::State::storage_write}});
     const glm::vec4 push(static_cast<float>(paths_), static_cast<float>(more), 0.0F, 0.0F);
-    scope.dispatch(shaders::reference_film, pipeline_, bindings_, {settings_.film_width, settings_.film_height, 1},
+    scope.dispatch(shaders::reference_film, pipeline_, started_ ? go_on_ : start_, {settings_.film_width, settings_.film_height, 1},
                    std::as_bytes(std::span(&push, 1)));
     move(commands, {{&film_, rhi::State::copy_destination}, {&next_, rhi::State::copy_source}});
     commands.copy(rhi::TextureToTexture{next_.handle, film_.handle});

@@ -58,24 +58,18 @@ vec3 turned(vec3 axis, real cosine, real u) {
     return normalize(cosine * axis + sine * (cos(azimuth) * a + sin(azimuth) * b));
 }
 
-// Light of the suns from a place in the air on its way along the leg, and off the ground at its end, per unit of the weight.
-vec3 light_from_air(Walk walk, Place place, int only) {
-    Walk there = walk_on(walk, place.t, false);
+// Light of the suns from a place on the leg, in the air or on the ground at its end, on its way along the leg, per unit of weight.
+vec3 light_from(Walk walk, real t, bool on_ground, int only) {
+    Walk there = walk_on(walk, t, on_ground);
     Medium air = sample_medium(there.altitude);
     vec3 radiance = vec3(real(0));
     for (int sun = 0; sun < SUN_COUNT; ++sun) {
         vec3 towards = vec3(view.sun_direction[sun]);
-        radiance += scattered_to(air, walk.direction, towards) * transmittance_to_sun(there.altitude, dot(there.up, towards)) *
-                    sunlight(sun, only);
+        real mu_s = dot(there.up, towards);
+        vec3 sent = on_ground ? max(mu_s, real(0)) / PI * vec3(atm.ground_albedo) : scattered_to(air, walk.direction, towards);
+        radiance += sent * transmittance_to_sun(there.altitude, mu_s) * sunlight(sun, only);
     }
-    return exp(-optical_depth_along(walk.altitude, walk.mu, place.t)) * radiance;
-}
-vec3 light_from_ground(Walk walk, Leg leg, int only) {
-    vec3 up = walk_on(walk, leg.end, true).up;
-    vec3 irradiance = vec3(real(0));
-    for (int sun = 0; sun < SUN_COUNT; ++sun)
-        irradiance += ground_beam_irradiance(dot(up, vec3(view.sun_direction[sun]))) * sunlight(sun, only);
-    return ground_radiance(optical_depth_along(walk.altitude, walk.mu, leg.end), irradiance);
+    return exp(-optical_depth_along(walk.altitude, walk.mu, t)) * radiance;
 }
 // The same roughly, to choose between the two.
 real rough_ground_light(Walk walk, Leg leg, vec3 weight, int only) {
@@ -92,10 +86,10 @@ vec3 light_on_leg(Walk walk, Leg leg, vec3 weight, vec4 random, int only) {
     LegLight light = light_of(leg, weight);
     real ground = leg.ground ? rough_ground_light(walk, leg, weight, only) : real(0);
     real share = ground > 0 ? (TERM_COUNT == 0 ? real(1) : clamp(ground / (ground + light.whole), real(0.05), real(0.95))) : real(0);
-    if (random.x < share) return weight * light_from_ground(walk, leg, only) / share;
-    if (TERM_COUNT == 0) return vec3(real(0));
+    bool on_ground = random.x < share;
     Place place = draw_lit_place(leg, light, random.y, random.z);
-    return place.density > 0 ? weight * light_from_air(walk, place, only) / (place.density * (1 - share)) : vec3(real(0));
+    real density = on_ground ? share : place.density * (1 - share);
+    return density > 0 ? weight / density * light_from(walk, on_ground ? leg.end : place.t, on_ground, only) : vec3(real(0));
 }
 
 // Light scattered or reflected once, by quadrature. A kernel may take other values of phase functions by defining

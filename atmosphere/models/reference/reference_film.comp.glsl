@@ -20,7 +20,8 @@ PUSH_CONSTANTS(FilmFrame, film_frame)
 LOCAL_SIZE(8, 8, 1)
 
 COMPUTE_MAIN(id) {
-    ivec2 size = film_size();
+    // Not the film's own size: a new film reads another texture, as nothing has been written to its own.
+    ivec2 size = ivec2(imageSize(film_out).x, imageSize(film_out).y / 3);
     ivec2 texel = ivec2(id.x, id.y);
     if (id.x >= size.x || id.y >= size.y) return;
     ViewRay ray = view_ray((real(id.x) + real(0.5)) / real(size.x), (real(id.y) + real(0.5)) / real(size.y));

@@ -53,28 +53,31 @@ public:
     [[nodiscard]] Rgb out() {
         const double thickness = air_.planet.top_radius_m - air_.planet.bottom_radius_m;
         return average([&](double, double sun_mu) {
-            // Upwards through the top: seen by looking down, weighted by the cosine.
-            return seen(thickness, sun_mu, [](double u) { return -std::sqrt(u); }) * pi;
-        }) * 4.0;
+                   // Upwards through the top: seen by looking down, weighted by the cosine.
+                   return seen(thickness, sun_mu, [](double u) { return -std::sqrt(u); }) * pi;
+               }) *
+               4.0;
     }
     [[nodiscard]] Rgb absorbed_by_ground() {
         const double share = std::pow(air_.planet.bottom_radius_m / air_.planet.top_radius_m, 2);
         return average([&](double, double sun_mu) {
-            const Rgb beam = sun_mu > 0 ? sun_mu * transmittance(0, sun_mu) : Rgb(0);
-            return beam + seen(0, sun_mu, [](double u) { return std::sqrt(u); }) * pi;
-        }) * (Rgb(1) - air_.planet.ground_albedo) * (4 * share);
+                   const Rgb beam = sun_mu > 0 ? sun_mu * transmittance(0, sun_mu) : Rgb(0);
+                   return beam + seen(0, sun_mu, [](double u) { return std::sqrt(u); }) * pi;
+               }) *
+               (Rgb(1) - air_.planet.ground_albedo) * (4 * share);
     }
     [[nodiscard]] Rgb absorbed_by_air() {
         const double bottom = air_.planet.bottom_radius_m, top = air_.planet.top_radius_m, height = 3 * km;
         const double most = 1 - std::exp(-(top - bottom) / height);
         return average([&](double u, double sun_mu) {
-            // Altitudes are drawn as the absorber lies.
-            const double h = -height * std::log(1 - most * u);
-            const bool hidden = shell_.hits_ground(h, sun_mu);
-            const Rgb field = (hidden ? Rgb(0) : transmittance(h, sun_mu)) +
-                              seen(h, sun_mu, [](double v) { return 1 - 2 * v; }) * (4 * pi);
-            return field * air_.terms[1].absorption_per_m * (height * most) * std::pow((bottom + h) / top, 2);
-        }) * 4.0;
+                   // Altitudes are drawn as the absorber lies.
+                   const double h = -height * std::log(1 - most * u);
+                   const bool hidden = shell_.hits_ground(h, sun_mu);
+                   const Rgb field = (hidden ? Rgb(0) : transmittance(h, sun_mu)) +
+                                     seen(h, sun_mu, [](double v) { return 1 - 2 * v; }) * (4 * pi);
+                   return field * air_.terms[1].absorption_per_m * (height * most) * std::pow((bottom + h) / top, 2);
+               }) *
+               4.0;
     }
 
 private:

@@ -83,20 +83,20 @@ ReferenceView::ReferenceView(ViewResources& shared, const ViewSettings& view, co
 void ReferenceView::make_film(ViewResources& shared) {
     const rhi::Extent extent{settings_.film_width, film_layers * settings_.film_height, 1};
     constexpr auto copied = rhi::Usage::copy_source | rhi::Usage::copy_destination;
-    film_ = shared.objects.texture(
-        {"film", rhi::Dimension::d2, rhi::Format::rgba32_float, extent, rhi::Usage::sampled | copied});
-    next_ = shared.objects.texture({"film, next", rhi::Dimension::d2, rhi::Format::rgba32_float, extent,
-                                    rhi::Usage::storage | rhi::Usage::copy_source});
+    film_ =
+        shared.objects.texture({"film", rhi::Dimension::d2, rhi::Format::rgba32_float, extent, rhi::Usage::sampled | copied});
+    next_ = shared.objects.texture(
+        {"film, next", rhi::Dimension::d2, rhi::Format::rgba32_float, extent, rhi::Usage::storage | rhi::Usage::copy_source});
     Specialize values = shared.specialize();
     for (const rhi::Specialization& value : specialization(settings_).values()) values.set(value);
     pipeline_ = shared.objects.compute(shaders::reference_film, values.values());
     std::array slots{rhi::Binding{0, {}, {}, shared.air.block.handle},
-                           rhi::Binding{1, {}, {}, shared.block.handle},
-                           rhi::Binding{2, shared.air.profile_table.handle, shared.air.nearest, {}},
-                           rhi::Binding{3, next_.handle, {}, {}},
-                           rhi::Binding{7, shared.air.phase_table.handle, shared.air.nearest, {}},
-                           rhi::Binding{10, shared.air.profile_table.handle, shared.air.nearest, {}},
-                           rhi::Binding{11, {}, {}, quadrature_.handle}};
+                     rhi::Binding{1, {}, {}, shared.block.handle},
+                     rhi::Binding{2, shared.air.profile_table.handle, shared.air.nearest, {}},
+                     rhi::Binding{3, next_.handle, {}, {}},
+                     rhi::Binding{7, shared.air.phase_table.handle, shared.air.nearest, {}},
+                     rhi::Binding{10, shared.air.profile_table.handle, shared.air.nearest, {}},
+                     rhi::Binding{11, {}, {}, quadrature_.handle}};
     start_ = shared.objects.bindings("film, new", pipeline_, slots);
     slots[2].texture = film_.handle;
     go_on_ = shared.objects.bindings("film", pipeline_, slots);
@@ -130,8 +130,8 @@ void ReferenceView::record(rhi::CommandList& commands, std::span<PassReport> rep
     PassScope scope(commands, reports[0], timestamps, 0);
     move(commands, {{&next_, rhi::State::storage_write}});
     const glm::vec4 push(static_cast<float>(paths_), static_cast<float>(more), 0.0F, 0.0F);
-    scope.dispatch(shaders::reference_film, pipeline_, started_ ? go_on_ : start_, {settings_.film_width, settings_.film_height, 1},
-                   std::as_bytes(std::span(&push, 1)));
+    scope.dispatch(shaders::reference_film, pipeline_, started_ ? go_on_ : start_,
+                   {settings_.film_width, settings_.film_height, 1}, std::as_bytes(std::span(&push, 1)));
     move(commands, {{&film_, rhi::State::copy_destination}, {&next_, rhi::State::copy_source}});
     commands.copy(rhi::TextureToTexture{next_.handle, film_.handle});
     move(commands, {{&film_, rhi::State::sampled}});

@@ -40,8 +40,8 @@ private:
     TrackedTexture film_, next_;
     rhi::Pipeline pipeline_;
     rhi::BindingSet start_, go_on_;  ///< Of a new film, which has nothing to read, and of one that has.
-    int paths_ = 0;         ///< In each texel of the film.
-    bool started_ = false;  ///< The film holds what this camera sees of this air.
+    int paths_ = 0;                  ///< In each texel of the film.
+    bool started_ = false;           ///< The film holds what this camera sees of this air.
     ModelKernels kernels_;
 };
 

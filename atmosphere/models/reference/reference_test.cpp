@@ -57,7 +57,9 @@ void check_truth(const char* file, const AtmosphereParameters& air, std::size_t 
             if (truth.error[c] > 0)
                 scores.add(radiance[0][c] - truth.all[c], std::hypot(error[0][c], truth.error[c]), i, c, radiance[0][c],
                            truth.all[c], error[0][c], truth.error[c]);
-        if (sum(truth.first) > 1e-9) first.add(apart(first_sky.radiance(view), truth.first), i, at("sun_zenith_deg"), at("altitude_km"), at("view_zenith_deg"), sum(truth.first));
+        if (sum(truth.first) > 1e-9)
+            first.add(apart(first_sky.radiance(view), truth.first), i, at("sun_zenith_deg"), at("altitude_km"),
+                      at("view_zenith_deg"), sum(truth.first));
         noise += sum(error[0]) / sum(radiance[0]);
         ++rows;
     }

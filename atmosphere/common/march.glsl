@@ -28,8 +28,8 @@ vec3 dark_depth(Ray ray, real t0, real t1, bool upwards) {
     real h1 = altitude_after(ray.altitude, ray.mu, t1);
     real mu0 = view_mu_after(ray, t0, h0);
     real mu1 = view_mu_after(ray, t1, h1);
-    vec3 depth = upwards ? optical_depth_to_top(h0, mu0) - optical_depth_to_top(h1, mu1)
-                         : optical_depth_to_top(h1, -mu1) - optical_depth_to_top(h0, -mu0);
+    vec3 depth = optical_depth_to_top(upwards ? h0 : h1, upwards ? mu0 : -mu1) -
+                 optical_depth_to_top(upwards ? h1 : h0, upwards ? mu1 : -mu0);
     return max(depth, vec3(real(0)));
 }
 #else

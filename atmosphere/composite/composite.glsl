@@ -10,6 +10,11 @@
 
 #include "composite/display.glsl"
 
+// A model whose sky differs from pixel to pixel in more than direction says otherwise.
+#ifndef AUREOLE_SKY_RADIANCE
+#define AUREOLE_SKY_RADIANCE(pixel, direction, v, beyond) sky_radiance(direction, v, beyond)
+#endif
+
 // The disk of a sun where the view direction meets it, limb-darkened, before the air.
 vec3 disk_radiance(int sun, vec3 direction) {
     vec3 apart = direction - vec3(view.sun_direction[sun]);
@@ -51,7 +56,7 @@ vec3 pixel_radiance(ivec2 pixel) {
     }
     if (distance_km < 0) {
         if (SUN_DISK) color += disks(ray.direction);
-        return sky_radiance(ray.direction, v, color);
+        return AUREOLE_SKY_RADIANCE(pixel, ray.direction, v, color);
     }
     if (!AERIAL_PERSPECTIVE) return color;
     real entry = distance_to_air(v);

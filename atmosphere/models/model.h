@@ -51,6 +51,8 @@ public:
     /// For a host's own shaders (host/aureole.glsl): null where a model keeps none.
     [[nodiscard]] virtual rhi::Texture sky_view_table() const noexcept { return {}; }
     [[nodiscard]] virtual rhi::Texture aerial_perspective_table() const noexcept { return {}; }
+    /// Where frames add up; null where they do not.
+    [[nodiscard]] virtual rhi::Texture film_table() const noexcept { return {}; }
 };
 
 /// What a model keeps for an air of one structure; made anew when that changes.

@@ -4,6 +4,7 @@
 #include <aureole/models/aureole.h>
 #include <aureole/models/fog.h>
 #include <aureole/models/hillaire.h>
+#include <aureole/models/reference.h>
 #include <aureole/models/single.h>
 #include <aureole/models/single_lut.h>
 
@@ -32,6 +33,8 @@ constexpr std::array entries{
           [](std::string_view quality) { return models::hillaire(models::HillaireSettings::by_name(quality)); }},
     Entry{"aureole", "ours: spectral quadrature, multiple scattering that keeps its direction",
           [](std::string_view quality) { return models::aureole(QualitySettings::by_name(quality)); }},
+    Entry{"reference", "path tracing, all orders, no tables: noise in place of error, and its standard error",
+          [](std::string_view quality) { return models::reference(models::ReferenceSettings::by_name(quality)); }},
 };
 
 constexpr auto names = [] {

@@ -213,6 +213,7 @@ void View::record_composite(rhi::CommandList& commands, const CompositeTargets& 
 std::span<const PassReport> View::reports() const noexcept { return impl_->reports; }
 rhi::Texture View::sky_view_table() const noexcept { return impl_->tables->model->sky_view_table(); }
 rhi::Texture View::aerial_perspective_table() const noexcept { return impl_->tables->model->aerial_perspective_table(); }
+rhi::Texture View::film_table() const noexcept { return impl_->tables->model->film_table(); }
 rhi::Texture View::light_table() const noexcept { return impl_->tables->light.table().handle; }
 rhi::Buffer View::air_block() const noexcept { return impl_->tables->shared.air.block.handle; }
 rhi::Buffer View::view_block() const noexcept { return impl_->tables->block_buffer.handle; }

@@ -28,47 +28,52 @@ real term_column(int i, real altitude, real mu, real t0, real t1, bool dense_end
 
 // Optical depth of [t0, t1], on which altitude is monotone. Each term by itself: a tent is linear in altitude between its feet
 // and its tip, so the ray is cut there and the nodes converge on each part, which they would not do across a kink; a table's
-// kinks are unknown, so its ray is cut in eight.
+// kinks are unknown, so its ray is cut in eight, squared like the nodes, so that the parts are short where the air is dense.
 vec3 column(real altitude, real mu, real t0, real t1, bool upwards) {
     vec3 depth = vec3(real(0));
     for (int i = 0; i < TERM_COUNT; ++i) {
         int kind = term_kind(i);
+        int parts = kind == PROFILE_TENT ? 2 : (kind == PROFILE_TABULATED ? 8 : 1);
+        real tip = atm.term_profile[i].x;
+        real half_width = 1 / atm.term_profile[i].y;
         real sum = real(0);
-        if (kind == PROFILE_TENT) {
-            real tip = atm.term_profile[i].x;
-            real half_width = 1 / atm.term_profile[i].y;
-            real foot = clamp(distance_to_altitude(altitude, mu, max(tip - half_width, real(0)), upwards), t0, t1);
-            real middle = clamp(distance_to_altitude(altitude, mu, max(tip, real(0)), upwards), t0, t1);
-            real head = clamp(distance_to_altitude(altitude, mu, max(tip + half_width, real(0)), upwards), t0, t1);
-            sum = term_column(i, altitude, mu, min(foot, middle), max(foot, middle), !upwards) +
-                  term_column(i, altitude, mu, min(middle, head), max(middle, head), !upwards);
-        } else if (kind == PROFILE_TABULATED) {
-            for (int part = 0; part < 8; ++part) {
-                real a = real(part) / real(8);
-                real b = real(part + 1) / real(8);
-                // Squared like the nodes, so that the parts are short where the air is dense.
-                sum += upwards ? term_column(i, altitude, mu, mix(t0, t1, a * a), mix(t0, t1, b * b), false)
-                               : term_column(i, altitude, mu, mix(t1, t0, b * b), mix(t1, t0, a * a), true);
+        int part = 0;
+        do {  // tested at the end: see march.glsl. One place that integrates: kernels with many columns stay short
+            real a = real(part) / real(parts);
+            real b = real(part + 1) / real(parts);
+            real from = upwards ? mix(t0, t1, a * a) : mix(t1, t0, b * b);
+            real to = upwards ? mix(t0, t1, b * b) : mix(t1, t0, a * a);
+            if (kind == PROFILE_TENT) {
+                real outer = part == 0 ? tip - half_width : tip + half_width;
+                real p = clamp(distance_to_altitude(altitude, mu, max(outer, real(0)), upwards), t0, t1);
+                real q = clamp(distance_to_altitude(altitude, mu, max(tip, real(0)), upwards), t0, t1);
+                from = min(p, q);
+                to = max(p, q);
             }
-        } else {
-            sum = term_column(i, altitude, mu, t0, t1, !upwards);
-        }
+            sum += term_column(i, altitude, mu, from, to, !upwards);
+            ++part;
+        } while (part < parts);
         depth += sum * vec3(atm.term_extinction[i]);
     }
     return depth;
 }
 
-// To the top of the shell, for directions above the horizon. A ray that starts downwards is cut at its lowest point.
-vec3 column_to_top(real altitude, real mu) {
-    real end = distance_to_top(altitude, mu);
+// Optical depth of the first `end` km of a ray. One that starts downwards is cut at its lowest point; a ray that hits the ground
+// ends before it.
+vec3 optical_depth_along(real altitude, real mu, real end) {
     real lowest = clamp(-(bottom_radius() + altitude) * mu, real(0), end);
-    COUNT(AUREOLE_COLUMN_NODES);
-    vec3 depth = column(altitude, mu, lowest, end, true);
-    if (lowest > 0) {
+    vec3 depth = vec3(real(0));
+    bool upwards = lowest <= 0;
+    for (int piece = 0; piece < 2; ++piece) {
         COUNT(AUREOLE_COLUMN_NODES);
-        depth += column(altitude, mu, real(0), lowest, false);
+        depth += column(altitude, mu, upwards ? lowest : real(0), upwards ? end : lowest, upwards);
+        if (upwards || lowest >= end) break;
+        upwards = true;
     }
     return depth;
 }
+
+// To the top of the shell, for directions above the horizon.
+vec3 column_to_top(real altitude, real mu) { return optical_depth_along(altitude, mu, distance_to_top(altitude, mu)); }
 
 #endif

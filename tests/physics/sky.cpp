@@ -113,7 +113,7 @@ void Sky::place(const glm::dvec3& position_m, std::span<const Sun> suns) {
 }
 
 void Sky::look_at(std::span<const glm::dvec3> directions) {
-    std::vector<float> texels(4 * sky_texels, 1.0F);
+    std::vector<float> texels(4 * sky_texels, 0.0F);  // no direction, no work
     for (std::size_t i = 0; i < directions.size(); ++i)
         for (int c = 0; c < 3; ++c) texels[4 * i + static_cast<std::size_t>(c)] = static_cast<float>(directions[i][c]);
     machine_.upload(targets_.directions, texels, directions_state_, rhi::State::sampled);

@@ -33,7 +33,8 @@ namespace aureole {
 
 /// What one pass did in the latest recording: for benchmarks and for hosts that show their costs.
 struct PassReport {
-    std::string_view name{};  ///< "transmittance", "multi_scatter", "sky_view", "aerial_perspective", "light", "composite".
+    std::string_view name{};  ///< "transmittance", "multi_scatter", "sky_view", "aerial_perspective", "light", "composite";
+                              ///< of other models what their pages name.
     bool recorded = false;    ///< False when nothing that it depends on had changed; then the rest is of an earlier one.
     std::uint64_t invocations = 0;    ///< Shader invocations, those beyond the edges of tables left out.
     std::uint64_t bytes_written = 0;  ///< To tables and targets, by their formats.
@@ -197,6 +198,9 @@ public:
     // Tables stay the same textures until the structure of the air changes (set_parameters).
     [[nodiscard]] rhi::Texture sky_view_table() const noexcept;            ///< See sky_view.glsl.
     [[nodiscard]] rhi::Texture aerial_perspective_table() const noexcept;  ///< See aerial_perspective.glsl.
+    /// Of a model in which frames add up (models/reference.h, if it is asked for a film); else null. rgba32_float, to be read
+    /// back.
+    [[nodiscard]] rhi::Texture film_table() const noexcept;
     /// 10 x max_suns rgba32_float texels, one row a sun: [0..8] SH-L2 coefficients of sky radiance (world axes, real basis in
     /// the order 00, 1-1, 10, 11, 2-2 .. 22), [9] the sun's transmitted irradiance at the camera. The same on every backend;
     /// LightTable (light.h) takes what was read back. Null without ViewSettings::light.

@@ -4,6 +4,7 @@
 // Rules that keep one source valid in both languages:
 //   - `real` is the scalar; write real(0.1), never 0.1 or 0.1f. Small integers mix with scalars as they are: 1 - x, 2 * x;
 //     with vectors they do not: real(2) * v.
+//   - `uint` is 32 bits and wraps around, its literals end in u: 1u.
 //   - Parameters: plain for input, OUT(T) and INOUT(T) for the others. Array parameters are only read. No array initializers.
 //   - Constants at file scope: CONST(type, NAME, value). No other globals than the resources below.
 //   - Local arrays whose size is specialized: LOCAL_ARRAY(type, name, size, maximum).

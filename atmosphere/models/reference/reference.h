@@ -1,0 +1,48 @@
+// The path tracer's recorder. It keeps nothing of the air; of a view, the film, if one is asked for.
+#pragma once
+
+#include "models/model.h"
+
+#include <aureole/models/reference.h>
+
+namespace aureole::detail {
+
+class ReferenceAir final : public ModelAir {
+public:
+    explicit ReferenceAir(const models::ReferenceSettings& settings) : settings_(settings) {}
+    [[nodiscard]] std::unique_ptr<ModelView> make_view(ViewResources& shared, const ViewSettings& settings) override;
+
+private:
+    models::ReferenceSettings settings_;
+};
+
+class ReferenceView final : public ModelView {
+public:
+    ReferenceView(ViewResources& shared, const ViewSettings& view, const models::ReferenceSettings& settings);
+
+    [[nodiscard]] std::span<const std::string_view> passes() const noexcept override;
+    [[nodiscard]] const ModelKernels& kernels() const noexcept override { return kernels_; }
+    void update(const ViewBlock& before, const ViewBlock& fresh) noexcept override;
+    void restart() noexcept override;
+    void invalidate() noexcept override;
+    void record(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps) override;
+    [[nodiscard]] bool ready() const noexcept override;
+    [[nodiscard]] rhi::Texture film_table() const noexcept override { return film_.handle; }
+
+private:
+    [[nodiscard]] bool has_film() const noexcept { return settings_.film_width > 0; }
+    void make_film(ViewResources& shared);
+
+    models::ReferenceSettings settings_;
+    QuadratureBlock rule_;
+    TrackedBuffer quadrature_;
+    /// Kernels do not write what they read: a frame's sums are made in the second and copied to the first.
+    TrackedTexture film_, next_;
+    rhi::Pipeline pipeline_;
+    rhi::BindingSet start_, go_on_;  ///< Of a new film, which has nothing to read, and of one that has.
+    int paths_ = 0;                  ///< In each texel of the film.
+    bool started_ = false;           ///< The film holds what this camera sees of this air.
+    ModelKernels kernels_;
+};
+
+}  // namespace aureole::detail

@@ -8,29 +8,21 @@
 //
 // The including kernel declares atm, quadrature, transmittance_table and says
 //   SPEC_INT(…, RAY_NODES, …), SPEC_BOOL(…, SINGLE_SCATTERING, …), SPEC_BOOL(…, MULTIPLE_SCATTERING, …)
-// and provides vec3 multiple_scattering(...) by multi_scatter.glsl.
+// Light that is scattered more than once comes from scattered_diffuse(...) of multi_scatter.glsl, or of the kernel's own if it defines
+// AUREOLE_OWN_SCATTERED_DIFFUSE.
 #ifndef AUREOLE_MARCH_GLSL
 #define AUREOLE_MARCH_GLSL
 
+#include "common/dark_depth.glsl"
 #include "common/geometry.glsl"
 #include "common/ray_light.glsl"
 #include "common/ray_map.glsl"
 #include "common/slab.glsl"
 #include "medium/medium.glsl"
+#ifndef AUREOLE_OWN_SCATTERED_DIFFUSE
 #include "multi_scatter/multi_scatter.glsl"
+#endif
 #include "transmittance/transmittance.glsl"
-
-// Optical depth between two points of a ray from the table: on the way up the difference of their depths to the top, on the way
-// down the same of the reversed ray. For pieces that scatter nothing towards the camera it is cheaper than nodes, and as good.
-vec3 dark_depth(Ray ray, real t0, real t1, bool upwards) {
-    real h0 = altitude_after(ray.altitude, ray.mu, t0);
-    real h1 = altitude_after(ray.altitude, ray.mu, t1);
-    real mu0 = view_mu_after(ray, t0, h0);
-    real mu1 = view_mu_after(ray, t1, h1);
-    vec3 depth = upwards ? optical_depth_to_top(h0, mu0) - optical_depth_to_top(h1, mu1)
-                         : optical_depth_to_top(h1, -mu1) - optical_depth_to_top(h0, -mu0);
-    return max(depth, vec3(real(0)));
-}
 
 // Places the nodes of a piece by the air at its dense end.
 RayMap piece_map(Ray ray, real t0, real t1, bool dense_end) {

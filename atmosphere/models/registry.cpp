@@ -2,6 +2,7 @@
 #include "common/check.h"
 
 #include <aureole/models/aureole.h>
+#include <aureole/models/bruneton.h>
 
 #include <array>
 #include <string>
@@ -18,6 +19,7 @@ struct Entry {
 
 constexpr std::array entries{
     Entry{"aureole", [](std::string_view quality) { return models::aureole(QualitySettings::by_name(quality)); }},
+    Entry{"bruneton", [](std::string_view quality) { return models::bruneton(models::BrunetonSettings::by_name(quality)); }},
 };
 
 constexpr auto names = [] {

@@ -12,21 +12,21 @@ namespace {
     throw Error(ErrorCode::unsupported, what, has, needed);
 }
 
-void require_table(const rhi::Device& device, rhi::Format format, rhi::Dimension dimension, bool filtered = true) {
+}  // namespace
+
+void require_table(const rhi::Device& device, rhi::Format format, rhi::Dimension dimension, bool filtered) {
     const rhi::FormatSupport support = device.format_support(format, dimension);
     if (support.sampled && (support.linear_filter || !filtered) && support.storage) return;
     const auto word = [](bool yes, const char* text) { return std::string(yes ? "" : "no ") + text; };
     missing(std::string("device format ") + rhi::to_string(format) + " (" + rhi::to_string(dimension) + ")",
             word(support.sampled, "sampling") + ", " + word(support.linear_filter, "linear filter") + ", " +
                 word(support.storage, "storage"),
-            "sampling, linear filter and storage; another table format can be chosen in QualitySettings");
+            "sampling, linear filter and storage; another table format can be chosen in the settings");
 }
 
 void require_size(const char* what, std::uint32_t limit, std::uint32_t needed) {
     if (limit < needed) missing(what, std::to_string(limit), "at least " + std::to_string(needed) + " texels a side");
 }
-
-}  // namespace
 
 void require_device(const rhi::Device& device) {
     const rhi::Capabilities& capabilities = device.capabilities();

@@ -82,7 +82,7 @@ DensityTerm even_term(const Rgb& scattering_per_m, const Rgb& absorption_per_m, 
 Sky::Sky(Machine& machine, const AtmosphereParameters& parameters, const SkyOptions& options)
     : machine_(machine),
       suns_(options.suns),
-      air_(machine.device(), parameters, options.quality),
+      air_(machine.device(), parameters, options.model ? options.model : models::aureole(options.quality)),
       view_(air_, sky_settings(options), sky_composite(options)) {
     targets_.extent = sky_extent;
     targets_.target = machine.texture("radiance", rhi::Format::rgba32_float, sky_extent, target_usage);

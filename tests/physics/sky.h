@@ -2,6 +2,7 @@
 #pragma once
 
 #include <aureole/atmosphere.h>
+#include <aureole/models/aureole.h>
 #include <aureole/presets.h>
 
 #include "physics/machine.h"
@@ -30,6 +31,7 @@ inline constexpr double degree = pi / 180;
 
 struct SkyOptions {
     QualitySettings quality = fine();
+    ModelPtr model{};  ///< Null: models::aureole with this quality.
     bool sun_disk = false;
     double beyond = 0;  ///< Radiance of what lies behind the air, in all directions.
     bool light = false;

@@ -11,7 +11,7 @@ SAMPLER_2D(4, irradiance_table)
 
 #include "models/bruneton/bruneton_camera.glsl"
 
-vec3 smooth_sky_radiance(int sun, real mu, real sine, real azimuth_cosine, real nu) {
+vec3 smooth_sky_radiance(int sun, real mu, real sine, real, real nu) {
     ViewDirection v;
     v.mu = mu;
     v.sine = sine;

@@ -1,5 +1,7 @@
 #include "passes/rig.h"
 
+#include <aureole/models/aureole.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -27,7 +29,9 @@ QualitySettings small_quality() {
 }
 
 AirRig::AirRig(Backend& backend_in, const Setup& setup_in)
-    : backend(backend_in), setup(setup_in), air(backend.device(), setup.air, setup.quality) {}
+    : backend(backend_in),
+      setup(setup_in),
+      air(backend.device(), setup.air, setup.model ? setup.model : models::aureole(setup.quality)) {}
 
 CommandCounts AirRig::record_air() {
     return backend.run([&](rhi::CommandList& commands) { air.record(commands); });

@@ -19,6 +19,7 @@ namespace aureole::passes {
 struct Setup {
     AtmosphereParameters air = presets::earth();
     QualitySettings quality = small_quality();
+    ModelPtr model{};  ///< Null: models::aureole with this quality.
     ViewSettings view{};
     CompositeSettings composite{};
 };

@@ -57,9 +57,8 @@ BrunetonSettings BrunetonSettings::standard() { return {}; }
 
 BrunetonSettings BrunetonSettings::high() {
     BrunetonSettings s;
-    s.nu_nodes = 16;
-    s.orders = 10;
-    s.format = rhi::Format::rgba32_float;
+    s.sun_nodes = 64;
+    s.orders = 8;
     s.ray_nodes = s.zenith_nodes = 8;
     s.azimuth_nodes = 10;
     return s;

@@ -47,8 +47,8 @@ BrunetonSolution::BrunetonSolution(AirResources& shared, const models::BrunetonS
     ray_quadrature_ = objects.constants("bruneton ray quadrature", sizeof ray_rule_);
     zenith_quadrature_ = objects.constants("bruneton zenith quadrature", sizeof zenith_rule_);
 
-    first_scattering_ = objects.compute(shaders::bruneton_scattering, specialize().set(11, 0).values());
-    next_scattering_ = objects.compute(shaders::bruneton_scattering, specialize().set(11, 1).values());
+    first_scattering_ = objects.compute(shaders::bruneton_single, specialize().values());
+    next_scattering_ = objects.compute(shaders::bruneton_scattering, specialize().values());
     // Single scattering alone: the sky's light on the ground would be reflected by the second.
     const int zenith_nodes = settings.orders > 1 ? zenith_nodes_ : 0;
     irradiance_ = objects.compute(shaders::bruneton_irradiance, specialize().set(12, zenith_nodes).values());
@@ -98,20 +98,13 @@ BrunetonSolution::Bindings BrunetonSolution::bind(Objects& objects, const Brunet
                 used.push_back(binding);
         return objects.bindings(name, pipeline, used);
     };
-    const auto scattering_set = [&](rhi::Pipeline pipeline, rhi::Texture source) {
-        return set("bruneton scattering", pipeline, shaders::bruneton_scattering,
-                   {air,
-                    rays,
-                    profiles,
-                    transmittance,
-                    {4, source, shared_.linear, {}},
-                    {6, tables.scattering.handle, {}, {}},
-                    phases});
-    };
+    const rhi::Binding source{4, source_.handle, shared_.linear, {}};
+    const rhi::Binding scattering_out{6, tables.scattering.handle, {}, {}};
     Bindings sets;
-    // The first order has no source; any table that can be read stands in its slot.
-    sets.first_scattering = scattering_set(first_scattering_, source_.handle);
-    sets.next_scattering = scattering_set(next_scattering_, source_.handle);
+    sets.first_scattering = set("bruneton single", first_scattering_, shaders::bruneton_single,
+                                {air, rays, profiles, transmittance, scattering_out, phases});
+    sets.next_scattering = set("bruneton scattering", next_scattering_, shaders::bruneton_scattering,
+                               {air, rays, profiles, transmittance, source, scattering_out, phases});
     sets.irradiance = set("bruneton irradiance", irradiance_, shaders::bruneton_irradiance,
                           {air, zeniths, scattering, transmittance, {6, tables.irradiance.handle, {}, {}}, phases});
     sets.arriving = set("bruneton field", arriving_pipeline_, shaders::bruneton_arriving,
@@ -144,7 +137,6 @@ void BrunetonSolution::advance(rhi::CommandList& commands, PassScope& scope, Pas
     if (ray_quadrature_.state == rhi::State::undefined) {
         update_block(commands, ray_quadrature_, ray_rule_);
         update_block(commands, zenith_quadrature_, zenith_rule_);
-        move(commands, {{&source_, rhi::State::sampled}});
     }
     while (units > 0 && !finished()) {
         const Position at = position();
@@ -164,7 +156,7 @@ void BrunetonSolution::advance(rhi::CommandList& commands, PassScope& scope, Pas
             if (density)
                 scope.dispatch(shaders::bruneton_density, density_, sets.density, part, push);
             else if (at.order == 1)
-                scope.dispatch(shaders::bruneton_scattering, first_scattering_, sets.first_scattering, part, push);
+                scope.dispatch(shaders::bruneton_single, first_scattering_, sets.first_scattering, part, push);
             else
                 scope.dispatch(shaders::bruneton_scattering, next_scattering_, sets.next_scattering, part, push);
             if (last_of_stage) move(commands, {{&out, rhi::State::sampled}});

@@ -49,7 +49,7 @@ struct BrunetonSettings {
 
     [[nodiscard]] static BrunetonSettings low();        ///< 16 x 64 x 24 x 8 nodes, combined: 1.5 MiB.
     [[nodiscard]] static BrunetonSettings standard();   ///< "default": the author's sizes, in separate textures, our sampling.
-    [[nodiscard]] static BrunetonSettings high();       ///< More nodes of nu, ten orders, float.
+    [[nodiscard]] static BrunetonSettings high();       ///< Twice the nodes of mu_s, eight orders.
     [[nodiscard]] static BrunetonSettings published();  ///< As the author's demonstration: combined, half, his sampling.
     /// "low", "default", "high" or "published"; anything else throws Error naming the four.
     [[nodiscard]] static BrunetonSettings by_name(std::string_view name);

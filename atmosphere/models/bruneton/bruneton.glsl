@@ -73,7 +73,9 @@ Ray table_ray(ivec3 texel, ivec3 size) {
         real rho = horizon_distance(ray.altitude);
         real d = ray.altitude + p * (rho - ray.altitude);
         ray.end = d;
-        ray.mu = d > 0 ? clamp(-(rho * rho + d * d) / (2 * r * d), real(-1), real(0)) : real(-1);
+        // On the ground every ray down has length 0; there stands what the rows tend to: the horizon, but for the last, the nadir.
+        real on_ground = p > 0 ? real(0) : real(-1);
+        ray.mu = d > 0 ? clamp(-(rho * rho + d * d) / (2 * r * d), real(-1), real(0)) : on_ground;
     } else {
         real p = real(texel.y - last - 1) / real(last);
         ray.mu = transmittance_altitude_mu(vec2(p, texel_to_unit(texel.z, size.z))).y;

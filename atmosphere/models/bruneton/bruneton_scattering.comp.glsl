@@ -24,7 +24,9 @@ vec3 scattered_diffuse(real altitude, real mu, real mu_s, real nu, vec3 scatteri
     ray.mu = mu;
     ray.mu_s = mu_s;
     ray.nu = nu;
-    ray.ground = hits_ground(altitude, mu);
+    // The source is continuous across the horizon, and near the ground all rays that go down fall into the nadir's row: a ray along the
+    // horizon must not be taken for one of them by a rounding error.
+    ray.ground = mu < horizon_mu(altitude) - real(1e-4);
     ray.end = real(0);
     TablePlace place = table_place(ray, textureSize(source_table, 0), 1);
     vec3 low = vec3(SAMPLE(source_table, place.at));

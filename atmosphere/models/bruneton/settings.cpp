@@ -59,7 +59,8 @@ BrunetonSettings BrunetonSettings::high() {
     BrunetonSettings s;
     s.sun_nodes = 64;
     s.orders = 8;
-    s.ray_nodes = s.zenith_nodes = 8;
+    s.ray_nodes = 10;
+    s.zenith_nodes = 8;
     s.azimuth_nodes = 10;
     return s;
 }

@@ -33,7 +33,7 @@ struct BrunetonSettings {
 
     BrunetonSampling sampling = BrunetonSampling::gauss;
     int transmittance_nodes = 10;  ///< Gauss nodes of a ray to the top, in [2, 16]. Of both samplings.
-    int ray_nodes = 6;             ///< Gauss nodes a piece of ray, in [2, 16]. Ignored by `published`, as the next two.
+    int ray_nodes = 8;             ///< Gauss nodes a piece of ray, in [2, 16]. Ignored by `published`, as the next two.
     int zenith_nodes = 6;          ///< Directions on each side of the horizon, in [2, 16].
     int azimuth_nodes = 8;         ///< Directions on a half circle, in [2, 16].
 
@@ -47,7 +47,7 @@ struct BrunetonSettings {
     /// solution is complete (Atmosphere::progress); other planet's radii are solved at once; a change meanwhile starts anew.
     int slices_per_frame = 0;
 
-    [[nodiscard]] static BrunetonSettings low();        ///< 16 x 64 x 24 x 8 nodes, combined: 1.5 MiB.
+    [[nodiscard]] static BrunetonSettings low();        ///< 16 x 64 x 24 x 8 nodes, combined.
     [[nodiscard]] static BrunetonSettings standard();   ///< "default": the author's sizes, in separate textures, our sampling.
     [[nodiscard]] static BrunetonSettings high();       ///< Twice the nodes of mu_s, eight orders.
     [[nodiscard]] static BrunetonSettings published();  ///< As the author's demonstration: combined, half, his sampling.

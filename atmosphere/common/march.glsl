@@ -9,32 +9,21 @@
 // The including kernel declares atm, quadrature and transmittance_table, or instead of the last includes
 // transmittance/by_quadrature.glsl or what does the same; a multi_scatter_table, if MULTIPLE_SCATTERING may be true; and says
 //   SPEC_INT(…, RAY_NODES, …), SPEC_BOOL(…, SINGLE_SCATTERING, …), SPEC_BOOL(…, MULTIPLE_SCATTERING, …).
+// Light that is scattered more than once comes from scattered_diffuse(...) of multi_scatter.glsl, or of the kernel's own if it defines
+// AUREOLE_OWN_SCATTERED_DIFFUSE.
 #ifndef AUREOLE_MARCH_GLSL
 #define AUREOLE_MARCH_GLSL
 
+#include "common/dark_depth.glsl"
 #include "common/geometry.glsl"
 #include "common/ray_light.glsl"
 #include "common/ray_map.glsl"
 #include "common/slab.glsl"
 #include "medium/medium.glsl"
+#ifndef AUREOLE_OWN_SCATTERED_DIFFUSE
 #include "multi_scatter/multi_scatter.glsl"
-#include "transmittance/transmittance.glsl"
-
-#ifdef AUREOLE_TRANSMITTANCE_TABLE
-// Optical depth between two points of a ray from the table: on the way up the difference of their depths to the top, on the way
-// down the same of the reversed ray. For pieces that scatter nothing towards the camera it is cheaper than nodes, and as good.
-vec3 dark_depth(Ray ray, real t0, real t1, bool upwards) {
-    real h0 = altitude_after(ray.altitude, ray.mu, t0);
-    real h1 = altitude_after(ray.altitude, ray.mu, t1);
-    real mu0 = view_mu_after(ray, t0, h0);
-    real mu1 = view_mu_after(ray, t1, h1);
-    vec3 depth = optical_depth_to_top(upwards ? h0 : h1, upwards ? mu0 : -mu1) -
-                 optical_depth_to_top(upwards ? h1 : h0, upwards ? mu1 : -mu0);
-    return max(depth, vec3(real(0)));
-}
-#else
-vec3 dark_depth(Ray ray, real t0, real t1, bool upwards) { return column(ray.altitude, ray.mu, t0, t1, upwards); }
 #endif
+#include "transmittance/transmittance.glsl"
 
 // Places the nodes of a piece by the air at its dense end.
 RayMap piece_map(Ray ray, real t0, real t1, bool dense_end) {

@@ -72,6 +72,8 @@ public:
         return false;
     }
     [[nodiscard]] virtual bool ready() const noexcept { return true; }
+    /// How much of the solution for the air as it is has been recorded, in [0, 1].
+    [[nodiscard]] virtual double progress() const noexcept { return 1; }
     /// Passes of iterative solutions recorded by each record(); 0: all at once. May throw, and then nothing has changed.
     virtual void spread(int /*passes_per_frame*/) {}
     /// Device memory of textures that are not in AirResources::objects, bytes.

@@ -2,6 +2,7 @@
 #include "common/check.h"
 
 #include <aureole/models/aureole.h>
+#include <aureole/models/bruneton.h>
 #include <aureole/models/fog.h>
 #include <aureole/models/hillaire.h>
 #include <aureole/models/reference.h>
@@ -33,6 +34,8 @@ constexpr std::array entries{
           [](std::string_view quality) { return models::hillaire(models::HillaireSettings::by_name(quality)); }},
     Entry{"aureole", "ours: spectral quadrature, multiple scattering that keeps its direction",
           [](std::string_view quality) { return models::aureole(QualitySettings::by_name(quality)); }},
+    Entry{"bruneton", "Bruneton 2008 and 2017: all orders wanted, precomputed over altitude, view, sun and their angle",
+          [](std::string_view quality) { return models::bruneton(models::BrunetonSettings::by_name(quality)); }},
     Entry{"reference", "path tracing, all orders, no tables: noise in place of error, and its standard error",
           [](std::string_view quality) { return models::reference(models::ReferenceSettings::by_name(quality)); }},
 };

@@ -180,6 +180,7 @@ void Atmosphere::record(rhi::CommandList& commands, TimestampSlots timestamps) {
 }
 
 std::span<const PassReport> Atmosphere::reports() const noexcept { return impl_->reports; }
+double Atmosphere::progress() const noexcept { return impl_->tables->model->progress(); }
 rhi::Device& Atmosphere::device() const noexcept { return impl_->device; }
 rhi::Texture Atmosphere::transmittance_table() const noexcept { return impl_->tables->model->transmittance_table(); }
 rhi::Texture Atmosphere::multi_scatter_table() const noexcept { return impl_->tables->model->multi_scatter_table(); }

@@ -14,15 +14,8 @@
 #include "common/horizon.glsl"
 #include "common/specialization.glsl"
 #include "phase/phase.glsl"
+#include "phase/sharp_phases.glsl"
 
-SPEC_INT(5, SHARP_PHASES, 0)  // bit c: phase function c is kept out of layer 0
-
-bool phase_is_sharp(int c) { return ((SHARP_PHASES >> c) & 1) != 0; }
-// Of a sun's layers the one that holds phase function c, which is sharp; for c = MAX_PHASES how many layers a sun has.
-int sharp_layer(int c) {
-    int before = SHARP_PHASES & ((1 << c) - 1);
-    return 1 + (before & 1) + ((before >> 1) & 1) + ((before >> 2) & 1) + ((before >> 3) & 1);
-}
 int sky_view_layers() { return sharp_layer(MAX_PHASES); }  // of a sun
 int sky_view_all_layers() { return SUN_COUNT * sky_view_layers() + 1; }
 

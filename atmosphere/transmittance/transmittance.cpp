@@ -3,7 +3,13 @@
 #include "models/model.h"
 #include "quadrature/gauss_legendre.h"
 
+#include "aureole_atmosphere_shaders.h"
+
 namespace aureole::detail {
+
+TableKernel transmittance_kernel(const QualitySettings& quality) {
+    return {&shaders::transmittance, quality.transmittance, quality.table_format, quality.transmittance_nodes};
+}
 
 TransmittancePass::TransmittancePass(AirResources& shared, const TableKernel& kernel) : shader_(kernel.shader) {
     Objects& objects = shared.objects;

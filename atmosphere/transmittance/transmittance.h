@@ -5,6 +5,9 @@
 
 namespace aureole::detail {
 
+/// The kernel that integrates with nodes, at a table's size and format.
+[[nodiscard]] TableKernel transmittance_kernel(const QualitySettings& quality);
+
 class TransmittancePass {
 public:
     TransmittancePass(AirResources& shared, const TableKernel& kernel);

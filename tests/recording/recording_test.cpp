@@ -1,6 +1,7 @@
 // Recording allocates nothing, on any device.
 #include <aureole/atmosphere.h>
 #include <aureole/cpu/cpu_device.h>
+#include <aureole/models/bruneton.h>
 #include <aureole/presets.h>
 #include <doctest/doctest.h>
 
@@ -183,3 +184,30 @@ TEST_CASE("recording allocates nothing on the Vulkan device") {
     check_device(vulkan->device(), vulkan->queue());
 }
 #endif
+
+TEST_CASE("recording: bruneton allocates nothing, at once and in parts") {
+    const auto cpu = cpu::create_cpu_device({});
+    models::BrunetonSettings settings;
+    settings.altitude_nodes = 3;
+    settings.view_nodes = 6;
+    settings.sun_nodes = settings.nu_nodes = 3;
+    settings.transmittance = settings.irradiance = {8, 4, 1};
+    settings.orders = 3;
+    for (const int slices : {0, 2}) {
+        CAPTURE(slices);
+        settings.slices_per_frame = slices;
+        Atmosphere air(cpu->device(), with_albedo(0), models::bruneton(settings));
+        for (int frame = 0; frame < 60; ++frame) {
+            if (frame % 20 == 9) air.set_parameters(with_albedo(0.01 * frame));
+            rhi::CommandList& commands = cpu->queue().begin();
+            const bool list_has_grown = frame >= 10;  // to its size in the first solution
+            begin_counting_allocations();
+            air.record(commands);
+            const int allocations = end_counting_allocations();
+            if (list_has_grown) CHECK(allocations == 0);
+            cpu->queue().submit();
+            cpu->queue().wait();
+        }
+        CHECK(air.progress() == 1);
+    }
+}

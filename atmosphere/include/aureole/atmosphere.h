@@ -96,6 +96,10 @@ public:
     /// Of the latest record(): transmittance, multi_scatter.
     [[nodiscard]] std::span<const PassReport> reports() const noexcept;
 
+    /// Share of the tables for the air as it is that has been recorded, in [0, 1]; below 1 only where a model spreads its work
+    /// over frames (models::BrunetonSettings::slices_per_frame).
+    [[nodiscard]] double progress() const noexcept;
+
     [[nodiscard]] rhi::Device& device() const noexcept;
     [[nodiscard]] rhi::Texture transmittance_table() const noexcept;  ///< Optical depth to the top: see transmittance.glsl.
     [[nodiscard]] rhi::Texture multi_scatter_table() const noexcept;  ///< Moments: see multi_scatter.glsl.

@@ -56,8 +56,7 @@ TableViewResources checked(const ViewResources& shared, const ViewSettings& sett
 
 AureoleAir::AureoleAir(AirResources& shared, const AtmosphereParameters& parameters)
     : shared_(shared),
-      transmittance_(shared, {&shaders::transmittance, shared.quality.transmittance, shared.quality.table_format,
-                              shared.quality.transmittance_nodes}),
+      transmittance_(shared, transmittance_kernel(shared.quality)),
       multi_scatter_(shared, transmittance_.table(), order_ratio(parameters)) {}
 
 std::span<const std::string_view> AureoleAir::passes() const noexcept { return air_passes; }

@@ -102,8 +102,7 @@ SingleAir::SingleAir(AirResources& shared, const SingleSetup& setup)
       light_rule_(quadrature_block(rule_size(setup.settings.steps, setup.settings.light_steps))),
       view_nodes_(shared.objects.constants("view nodes", sizeof view_rule_)) {
     if (setup.table)
-        table_.emplace(shared, TableKernel{&shaders::transmittance, shared.quality.transmittance, shared.quality.table_format,
-                                           shared.quality.transmittance_nodes});
+        table_.emplace(shared, transmittance_kernel(shared.quality));
     else
         light_nodes_ = shared.objects.constants("light nodes", sizeof light_rule_);
 }

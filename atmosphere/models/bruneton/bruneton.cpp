@@ -1,0 +1,230 @@
+#include "models/bruneton/bruneton.h"
+
+#include "module/requirements.h"
+
+#include "aureole_atmosphere_shaders.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace aureole {
+namespace detail {
+namespace {
+
+using models::BrunetonSettings;
+
+constexpr std::array<std::string_view, 2> air_passes{"transmittance", "precomputation"};
+constexpr rhi::Usage copied_to = rhi::Usage::copy_destination | rhi::Usage::copy_source;
+
+/// What the transmittance pass goes by; the rest is of no effect.
+QualitySettings quality_of(const BrunetonSettings& settings) {
+    QualitySettings quality;
+    quality.name = "bruneton";
+    quality.transmittance = settings.transmittance;
+    quality.transmittance_nodes = settings.transmittance_nodes;
+    return quality;
+}
+
+class BrunetonModel final : public Model {
+public:
+    explicit BrunetonModel(const BrunetonSettings& settings) : settings_(settings), quality_(quality_of(settings)) {
+        BrunetonModel::validate();
+    }
+    [[nodiscard]] std::string_view name() const noexcept override { return "bruneton"; }
+    [[nodiscard]] const QualitySettings& quality() const noexcept override { return quality_; }
+    void validate() const override { models::validate(settings_); }
+    void require(const rhi::Device& device) const override {
+        const BrunetonSettings& s = settings_;
+        require_table(device, quality_.table_format, rhi::Dimension::d2);
+        require_table(device, s.format, rhi::Dimension::d3);
+        require_table(device, rhi::Format::rgba32_float, rhi::Dimension::d3, false);
+        const rhi::Capabilities& limits = device.capabilities();
+        require_size("device.max_texture_2d", limits.max_texture_2d, std::max(s.transmittance.width, s.transmittance.height));
+        const int directions = s.sampling == models::BrunetonSampling::published ? 256 : 2 * s.zenith_nodes * s.azimuth_nodes;
+        const int most_layers = 1 + AtmosphereParameters::max_phase_functions;
+        require_size("device.max_texture_3d", limits.max_texture_3d,
+                     static_cast<std::uint32_t>(std::max({s.nu_nodes * s.sun_nodes, s.view_nodes, directions,
+                                                          s.altitude_nodes * (s.combined ? 1 : most_layers)})));
+    }
+    [[nodiscard]] std::unique_ptr<ModelAir> make_air(AirResources& shared,
+                                                     const AtmosphereParameters& parameters) const override {
+        return std::make_unique<BrunetonAir>(shared, parameters, settings_);
+    }
+
+private:
+    BrunetonSettings settings_;
+    QualitySettings quality_;
+};
+
+/// Molecules, which come first, and one other phase function.
+bool can_combine(const AirStructure& air) { return air.phase_count == 2 && air.sharp_phases == 2U; }
+
+/// `A` of the sun's axis (bruneton.glsl): how long the ray from the ground towards the lowest sun is.
+double longest_sun_ray(const Planet& planet, double lowest_sun_deg) {
+    const double bottom = planet.bottom_radius_m, shell = planet.top_radius_m - bottom;
+    const double horizon = std::sqrt(shell * (2 * bottom + shell));
+    // The top of the air sees the sun until it stands by the horizon's dip below the horizontal; two degrees more for twilight.
+    const double dip = std::atan2(horizon, bottom);
+    const double zenith = std::max(lowest_sun_deg * std::numbers::pi / 180,
+                                   std::min(std::numbers::pi / 2 + dip + 2 * std::numbers::pi / 180, std::numbers::pi));
+    const double b = bottom * std::cos(zenith);
+    return (std::sqrt(b * b + horizon * horizon) - b - shell) / (horizon - shell);
+}
+
+/// Green and blue against red of what the aerosol scatters, over the same of the molecules.
+glm::dvec2 colour_ratio(const AtmosphereParameters& parameters) {
+    Rgb molecules(0), aerosol(0);
+    for (const DensityTerm& term : parameters.terms)
+        (std::holds_alternative<RayleighPhase>(term.phase) ? molecules : aerosol) += term.scattering_per_m;
+    const auto over = [](double a, double b) { return b > 0 ? a / b : 0.0; };
+    return {over(aerosol.g * molecules.r, aerosol.r * molecules.g), over(aerosol.b * molecules.r, aerosol.r * molecules.b)};
+}
+
+}  // namespace
+
+BrunetonAir::BrunetonAir(AirResources& shared, const AtmosphereParameters&, const BrunetonSettings& settings)
+    : shared_(shared),
+      settings_(settings),
+      combined_(settings.combined && can_combine(shared.air)),
+      transmittance_(shared, transmittance_kernel(shared.quality)),
+      solution_(shared, settings, combined_),
+      front_(solution_.make_tables(shared.objects, transmittance_.table(), copied_to)),
+      front_bindings_(solution_.bind(shared.objects, front_)) {
+    if (settings.slices_per_frame > 0) back_ = make_back();
+}
+
+std::span<const std::string_view> BrunetonAir::passes() const noexcept { return air_passes; }
+
+void BrunetonAir::complete(const AtmosphereParameters& parameters, AtmosphereBlock& block) const noexcept {
+    const glm::dvec2 ratio = colour_ratio(parameters);
+    block.sun_mapping = {static_cast<float>(longest_sun_ray(parameters.planet, settings_.lowest_sun_deg)), 0,
+                         static_cast<float>(ratio.x), static_cast<float>(ratio.y)};
+}
+
+void BrunetonAir::restart(const AtmosphereParameters&, const AtmosphereBlock& before, const AtmosphereBlock& fresh) {
+    const bool same_axes =
+        fresh.radii == before.radii && fresh.sun_mapping.x == before.sun_mapping.x && fresh.tables.z == before.tables.z;
+    fits_ = fits_ && same_axes;
+    stale_ = true;
+}
+
+void BrunetonAir::invalidate() noexcept {
+    transmittance_.invalidate();
+    solution_.invalidate();
+    forget(front_.scattering);
+    forget(front_.irradiance);
+    if (back_) {
+        back_->transmittance->invalidate();
+        forget(back_->tables.scattering);
+        forget(back_->tables.irradiance);
+    }
+    stale_ = true;
+    working_ = shown_ = fits_ = false;
+}
+
+std::unique_ptr<BrunetonAir::Back> BrunetonAir::make_back() const {
+    auto back = std::make_unique<Back>();
+    back->objects = shared_.objects.sibling();
+    back->shared.emplace(AirResources{*back->objects, shared_.air, shared_.quality, shared_.block, shared_.profile_table,
+                                      shared_.phase_table, shared_.has_profiles, shared_.linear, shared_.nearest});
+    back->transmittance.emplace(*back->shared, transmittance_kernel(shared_.quality));
+    back->tables = solution_.make_tables(*back->objects, back->transmittance->table(), rhi::Usage::copy_source);
+    back->bindings = solution_.bind(*back->objects, back->tables);
+    return back;
+}
+
+void BrunetonAir::spread(int passes_per_frame) {
+    const bool wanted = passes_per_frame > 0 || settings_.slices_per_frame > 0;
+    if (wanted && !back_) back_ = make_back();
+    if (!wanted && back_) {
+        stale_ |= working_;
+        working_ = false;
+        back_.reset();
+    }
+    passes_per_frame_ = passes_per_frame;
+}
+
+int BrunetonAir::budget() const noexcept {
+    return passes_per_frame_ > 0 ? passes_per_frame_ * settings_.altitude_nodes : settings_.slices_per_frame;
+}
+
+double BrunetonAir::progress() const noexcept {
+    if (working_ && !stale_) return static_cast<double>(solution_.done()) / solution_.units();
+    return stale_ ? 0 : 1;
+}
+
+std::uint64_t BrunetonAir::more_texture_bytes() const noexcept { return back_ ? back_->objects->texture_bytes() : 0; }
+
+bool BrunetonAir::record(rhi::CommandList& commands, const AtmosphereBlock&, std::span<PassReport> reports,
+                         TimestampSlots timestamps) {
+    if (!stale_ && !working_) return false;
+    const bool first_in_parts = !shown_ && settings_.slices_per_frame > 0;
+    if (budget() > 0 && back_ && (fits_ || first_in_parts)) return solve_a_part(commands, reports, timestamps);
+    solve_at_once(commands, reports, timestamps);
+    return true;
+}
+
+void BrunetonAir::solve_at_once(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps) {
+    transmittance_.record(commands, reports[0], timestamps, 0);
+    PassScope scope(commands, reports[1], timestamps, 1);
+    reports[1].bytes_written = 0;
+    solution_.start();
+    solution_.advance(commands, scope, reports[1], front_, front_bindings_, solution_.units());
+    stale_ = working_ = false;
+    shown_ = fits_ = true;
+}
+
+bool BrunetonAir::solve_a_part(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps) {
+    if (stale_) {
+        back_->transmittance->record(commands, reports[0], timestamps, 0);
+        solution_.start();
+        working_ = true;
+        stale_ = false;
+    }
+    {
+        PassScope scope(commands, reports[1], timestamps, 1);
+        reports[1].bytes_written = 0;
+        solution_.advance(commands, scope, reports[1], back_->tables, back_->bindings, budget());
+    }
+    if (!solution_.finished()) return false;
+    show(commands, reports, timestamps);
+    return true;
+}
+
+void BrunetonAir::show(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps) {
+    transmittance_.record(commands, reports[0], timestamps, 0);  // as the back one: the air has not changed since
+    for (TrackedTexture BrunetonTables::*table : {&BrunetonTables::scattering, &BrunetonTables::irradiance}) {
+        TrackedTexture &from = back_->tables.*table, &to = front_.*table;
+        move(commands, {{&from, rhi::State::copy_source}, {&to, rhi::State::copy_destination}});
+        commands.copy(rhi::TextureToTexture{from.handle, to.handle});
+        move(commands, {{&from, rhi::State::sampled}, {&to, rhi::State::sampled}});
+    }
+    working_ = false;
+    shown_ = fits_ = true;
+}
+
+std::unique_ptr<ModelView> BrunetonAir::make_view(ViewResources& shared, const ViewSettings& settings) {
+    return std::make_unique<BrunetonView>(shared, settings, transmittance_table(), front_, solution_.look_up());
+}
+
+BrunetonView::BrunetonView(ViewResources& shared, const ViewSettings& settings, rhi::Texture transmittance,
+                           const BrunetonTables& tables, std::vector<rhi::Specialization> look_up)
+    : kernels_{.composite = &shaders::bruneton_composite,
+               .composite_raster = &shaders::bruneton_composite_raster,
+               .light = &shaders::bruneton_light,
+               .tables = {{2, tables.scattering.handle, shared.air.linear, {}},
+                          {3, transmittance, shared.air.linear, {}},
+                          {4, tables.irradiance.handle, shared.air.linear, {}}},
+               .specialization = std::move(look_up),
+               .aerial_perspective = settings.aerial_perspective} {}
+
+}  // namespace detail
+
+namespace models {
+
+ModelPtr bruneton(const BrunetonSettings& settings) { return std::make_shared<detail::BrunetonModel>(settings); }
+
+}  // namespace models
+}  // namespace aureole

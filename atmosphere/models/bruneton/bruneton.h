@@ -1,0 +1,73 @@
+// The recorder of the model: which tables are due, and the set that views read while another is being made.
+#pragma once
+
+#include "models/bruneton/solution.h"
+#include "models/model.h"
+#include "transmittance/transmittance.h"
+
+#include <optional>
+
+namespace aureole::detail {
+
+class BrunetonAir final : public ModelAir {
+public:
+    BrunetonAir(AirResources& shared, const AtmosphereParameters& parameters, const models::BrunetonSettings& settings);
+
+    [[nodiscard]] std::span<const std::string_view> passes() const noexcept override;
+    void complete(const AtmosphereParameters& parameters, AtmosphereBlock& block) const noexcept override;
+    void restart(const AtmosphereParameters& parameters, const AtmosphereBlock& before, const AtmosphereBlock& fresh) override;
+    void invalidate() noexcept override;
+    bool record(rhi::CommandList& commands, const AtmosphereBlock& block, std::span<PassReport> reports,
+                TimestampSlots timestamps) override;
+    [[nodiscard]] bool ready() const noexcept override { return shown_; }
+    [[nodiscard]] double progress() const noexcept override;
+    void spread(int passes_per_frame) override;
+    [[nodiscard]] std::uint64_t more_texture_bytes() const noexcept override;
+    [[nodiscard]] std::unique_ptr<ModelView> make_view(ViewResources& shared, const ViewSettings& settings) override;
+    [[nodiscard]] rhi::Texture transmittance_table() const noexcept override { return transmittance_.table().handle; }
+
+    [[nodiscard]] TrackedTexture& scattering() noexcept { return front_.scattering; }
+    [[nodiscard]] TrackedTexture& irradiance() noexcept { return front_.irradiance; }
+
+private:
+    /// A second set of tables, in which a solution grows over frames.
+    struct Back {
+        std::unique_ptr<Objects> objects;
+        std::optional<AirResources> shared;
+        std::optional<TransmittancePass> transmittance;
+        BrunetonTables tables;
+        BrunetonSolution::Bindings bindings;
+    };
+    [[nodiscard]] std::unique_ptr<Back> make_back() const;
+    [[nodiscard]] int budget() const noexcept;
+    void solve_at_once(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps);
+    /// True if the tables in use have changed.
+    bool solve_a_part(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps);
+    void show(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps);
+
+    AirResources& shared_;
+    models::BrunetonSettings settings_;
+    bool combined_;
+    TransmittancePass transmittance_;
+    BrunetonSolution solution_;
+    BrunetonTables front_;
+    BrunetonSolution::Bindings front_bindings_;
+    std::unique_ptr<Back> back_;
+    int passes_per_frame_ = 0;
+    bool stale_ = true;     // a solution for the air as it is has not been started
+    bool working_ = false;  // one has been, in the back tables
+    bool shown_ = false;    // the front tables hold a solution
+    bool fits_ = false;     // on the axes of the air as it is
+};
+
+class BrunetonView final : public ModelView {
+public:
+    BrunetonView(ViewResources& shared, const ViewSettings& settings, rhi::Texture transmittance, const BrunetonTables& tables,
+                 std::vector<rhi::Specialization> look_up);
+    [[nodiscard]] const ModelKernels& kernels() const noexcept override { return kernels_; }
+
+private:
+    ModelKernels kernels_;
+};
+
+}  // namespace aureole::detail

@@ -1,0 +1,24 @@
+// What comes along a ray: scattered light, and the ground's. Needs `atm` and the tables of scattering, transmittance, irradiance.
+#ifndef AUREOLE_BRUNETON_RAYS_GLSL
+#define AUREOLE_BRUNETON_RAYS_GLSL
+
+#include "common/dark_depth.glsl"
+#include "common/ground.glsl"
+#include "models/bruneton/bruneton.glsl"
+
+real nu_of(real mu, real mu_s, real azimuth_cosine) {
+    real sines = sqrt(max((1 - mu) * (1 + mu) * (1 - mu_s) * (1 + mu_s), real(0)));
+    return clamp(mu * mu_s + sines * azimuth_cosine, real(-1), real(1));
+}
+
+#ifdef AUREOLE_IRRADIANCE_TABLE
+// Per unit of solar irradiance, 1/sr.
+vec3 ray_radiance(Ray ray) {
+    vec3 radiance = air_radiance(scattering_place(ray), ray.nu);
+    if (ray.ground)
+        radiance += ground_radiance(dark_depth(ray, real(0), ray.end, false), ground_irradiance(sun_mu_after(ray, ray.end, real(0))));
+    return radiance;
+}
+#endif
+
+#endif

@@ -1,0 +1,50 @@
+// The functions that composite/composite.glsl asks of a model, by the 4D table.
+#ifndef AUREOLE_BRUNETON_SKY_GLSL
+#define AUREOLE_BRUNETON_SKY_GLSL
+
+#define AUREOLE_TRANSMITTANCE_TABLE
+#define AUREOLE_SCATTERING_TABLE
+#define AUREOLE_IRRADIANCE_TABLE
+SAMPLER_3D(2, scattering_table)
+SAMPLER_2D(3, transmittance_table)
+SAMPLER_2D(4, irradiance_table)
+
+#include "models/bruneton/bruneton_camera.glsl"
+
+vec3 sky_radiance(vec3 direction, ViewDirection v, vec3 beyond) {
+    real entry = distance_to_air(v);
+    vec3 radiance = vec3(real(0));
+    Ray ray;
+    int sun = 0;
+    do {  // tested at the end: see march.glsl
+        ray = camera_air_ray(v, entry, sun, dot(direction, vec3(view.sun_direction[sun])));
+        radiance += vec3(view.sun_irradiance[sun]) * ray_radiance(ray);
+        ++sun;
+    } while (sun < SUN_COUNT);
+    if (entry < 0) return beyond;  // past the air
+    if ((SUN_DISK || SCENE_COLOR) && !ray.ground) radiance += beyond * transmittance_to_top(ray.altitude, ray.mu);
+    return radiance;
+}
+
+// The difference of two look-ups: of the whole ray, and of what is left of it behind the point. It needs no place on the screen.
+AerialPerspective aerial_perspective(real, real, real distance_km, vec3 direction) {
+    ViewDirection v = view_direction(direction);
+    real entry = distance_to_air(v);
+    AerialPerspective result;
+    result.transmittance = vec3(real(1));
+    result.radiance = vec3(real(0));
+    for (int sun = 0; sun < SUN_COUNT; ++sun) {
+        Ray ray = camera_air_ray(v, entry, sun, dot(direction, vec3(view.sun_direction[sun])));
+        real t = min(distance_km, ray.end);
+        Ray on = ray;
+        on.altitude = min(altitude_after(ray.altitude, ray.mu, t), shell_thickness());
+        on.mu = view_mu_after(ray, t, on.altitude);
+        on.mu_s = sun_mu_after(ray, t, on.altitude);
+        result.transmittance = exp(-dark_depth(ray, real(0), t, !ray.ground));
+        result.radiance += vec3(view.sun_irradiance[sun]) *
+                           air_radiance_before(scattering_place(ray), scattering_place(on), result.transmittance, ray.nu);
+    }
+    return result;
+}
+
+#endif

@@ -7,10 +7,9 @@
 // the nodes, multiplied by the matrix of running integrals of the interpolating polynomial, is the optical depth at the nodes.
 //
 // The including kernel declares atm, quadrature and transmittance_table, or instead of the last includes
-// transmittance/by_quadrature.glsl or what does the same; a multi_scatter_table, if MULTIPLE_SCATTERING may be true; and says
+// transmittance/by_quadrature.glsl or what does the same; and says
 //   SPEC_INT(…, RAY_NODES, …), SPEC_BOOL(…, SINGLE_SCATTERING, …), SPEC_BOOL(…, MULTIPLE_SCATTERING, …).
-// Light that is scattered more than once comes from scattered_diffuse(...) of multi_scatter.glsl, or of the kernel's own if it defines
-// AUREOLE_OWN_SCATTERED_DIFFUSE.
+// If the last may be true, it has a multi_scatter_table, or a scattered_diffuse(...) of its own and AUREOLE_OWN_SCATTERED_DIFFUSE defined.
 #ifndef AUREOLE_MARCH_GLSL
 #define AUREOLE_MARCH_GLSL
 
@@ -96,7 +95,7 @@ void march_piece(Ray ray, real t0, real t1, bool dense_end, bool lit, INOUT(RayL
             vec3 beam = transmittance * transmittance_to_top(h, mu_s);
             for (int c = 0; c < PHASE_COUNT; ++c) single[c] += beam * scattering[c];
         }
-#ifdef AUREOLE_MULTI_SCATTER_TABLE
+#if defined(AUREOLE_MULTI_SCATTER_TABLE) || defined(AUREOLE_OWN_SCATTERED_DIFFUSE)
         if (MULTIPLE_SCATTERING)
             multiple += transmittance * scattered_diffuse(h, view_mu_after(ray, t, h), mu_s, ray.nu, scattering);
 #endif

@@ -75,7 +75,7 @@ void compare(Worst& worst, std::string_view model, const Image& a, const Image& 
         apart.push_back(
             difference(a.texels[i].y, b.texels[i].y, {measure.kind, measure.least + measure.least_of_largest * largest}));
     std::ranges::nth_element(apart, apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2));
-    worst.add(apart[apart.size() / 2], 0, 0, where);
+    worst.add(apart[apart.size() / 2], 0, 0, where + " " + std::to_string(a.extent.width) + " wide");
 }
 
 }  // namespace

@@ -70,7 +70,8 @@ ReferenceView::ReferenceView(ViewResources& shared, const ViewSettings& view, co
       rule_(quadrature_block(settings.nodes)),
       quadrature_(shared.objects.constants("reference quadrature", sizeof rule_)) {
     if (has_film()) make_film(shared);
-    const auto values = specialization(settings).values();
+    const Specialize constants = specialization(settings);
+    const auto values = constants.values();
     kernels_ = {.composite = &shaders::reference_composite,
                 .composite_raster = &shaders::reference_composite_raster,
                 .light = &shaders::reference_light,
@@ -88,7 +89,8 @@ void ReferenceView::make_film(ViewResources& shared) {
     next_ = shared.objects.texture(
         {"film, next", rhi::Dimension::d2, rhi::Format::rgba32_float, extent, rhi::Usage::storage | rhi::Usage::copy_source});
     Specialize values = shared.specialize();
-    for (const rhi::Specialization& value : specialization(settings_).values()) values.set(value);
+    const Specialize constants = specialization(settings_);
+    for (const rhi::Specialization& value : constants.values()) values.set(value);
     pipeline_ = shared.objects.compute(shaders::reference_film, values.values());
     std::array slots{rhi::Binding{0, {}, {}, shared.air.block.handle},
                      rhi::Binding{1, {}, {}, shared.block.handle},

@@ -40,9 +40,6 @@ SPEC_INT(31, SEED, 0)
 #include "phase/phase_sampling.glsl"
 #include "transmittance/by_quadrature.glsl"
 
-// march.glsl asks for the diffuse field, which is what paths are for.
-vec3 scattered_diffuse(real, real, real, real, vec3[MAX_PHASES]) { return vec3(real(0)); }
-
 #include "common/ground.glsl"
 #include "models/reference/leg.glsl"
 

@@ -46,5 +46,6 @@ TEST_CASE("aureole: as many moments as an air can make use of, where the quality
     CHECK(high->quality_for(clean).angular_order == 2);
     for (DensityTerm& term : clean.terms) term.scattering_per_m *= 0.01;
     CHECK(high->quality_for(clean).angular_order == 0);  // next to nothing is scattered twice
-    CHECK(models::aureole()->quality_for(presets::mars()).angular_order == 2);
+    CHECK(models::aureole()->quality_for(presets::earth()).angular_order == 2);
+    CHECK(models::aureole()->quality_for(presets::mars()).angular_order == 4);
 }

@@ -57,6 +57,7 @@ QualitySettings QualitySettings::low() {
     s.multi_scatter = {16, 8, 1};
     s.multi_scatter_azimuth = 3;
     s.angular_order = 0;
+    s.angular_order_as_needed = false;
     s.multi_scatter_zenith = 3;
     s.multi_scatter_nodes = 6;
     s.sky_view = {24, 64, 1};
@@ -71,7 +72,6 @@ QualitySettings QualitySettings::high() {
     s.transmittance = {256, 64, 1};
     s.multi_scatter = {40, 16, 1};
     s.angular_order = 8;
-    s.angular_order_as_needed = true;
     s.multi_scatter_zenith = 8;
     s.multi_scatter_azimuth = 5;
     s.multi_scatter_nodes = 12;

@@ -35,7 +35,7 @@ CompositeSettings composite_settings(const BenchOptions& options, bool geometry)
 }
 
 Camera bench_camera(const BenchOptions& options) {
-    return look(presets::earth().planet.bottom_radius_m, camera_altitude_m, 0, 0, 60 * degree,
+    return look(presets::by_name(options.preset).planet.bottom_radius_m, camera_altitude_m, 0, 0, 60 * degree,
                 static_cast<double>(options.width) / options.height);
 }
 
@@ -78,7 +78,7 @@ public:
         : backend_(backend),
           textures_(textures),
           camera_(bench_camera(options)),
-          air_(backend.device(), presets::earth(), model.make()),
+          air_(backend.device(), presets::by_name(options.preset), model.make()),
           plain_(air_, {}, composite_settings(options, false)),
           geometry_(air_, {}, composite_settings(options, true)) {
         result.model = model;

@@ -3,6 +3,8 @@
 #include "app/progress.h"
 #include "io/file.h"
 
+#include <aureole/presets.h>
+
 #include <unistd.h>
 #include <algorithm>
 #include <cstdio>
@@ -112,11 +114,13 @@ void run_bench(const BenchCommand& command) {
     options.width = size.width;
     options.height = size.height;
     options.models = chosen(command);
+    (void)presets::by_name(options.preset);
     if (!command.json.empty()) {
         const NewFile writable(command.json);
     }
     const std::unique_ptr<Backend> backend = open_backend(command.backend);
-    std::printf("%s, %ux%u, %u rounds\n", backend->describe().c_str(), options.width, options.height, options.frames);
+    std::printf("%s, %s, %ux%u, %u rounds\n", backend->describe().c_str(), options.preset.c_str(), options.width,
+                options.height, options.frames);
     std::fflush(stdout);
 
     Progress progress(options.frames + options.warm_up, stderr, isatty(STDERR_FILENO) == 1);
@@ -129,7 +133,8 @@ void run_bench(const BenchCommand& command) {
 
     nlohmann::json out{{"backend", backend->name()}, {"device", c.device},       {"driver", c.driver},
                        {"threads", c.threads},       {"width", options.width},   {"height", options.height},
-                       {"rounds", options.frames},   {"raster", options.raster}, {"linear", options.linear}};
+                       {"rounds", options.frames},   {"preset", options.preset}, {"raster", options.raster},
+                       {"linear", options.linear}};
     for (const BenchResult& result : results) out["models"].push_back(to_json(result, yardstick(results)));
     write_text(command.json, out.dump(2) + "\n");
 }
@@ -154,6 +159,8 @@ void add_bench_command(CLI::App& program) {
         ->delimiter(',')
         ->default_str("low,default,high");
     command->footer("Models:\n" + list_models("  "));
+    command->add_option("--preset", options->options.preset, "The air: a preset of scene files' [atmosphere]")
+        ->capture_default_str();
     command->add_option("--size", options->size, "WIDTHxHEIGHT of the composite, in pixels")->default_str("1280x720");
     command->add_option("--frames", options->options.frames, "Rounds to measure, 1 to 100000; two more are thrown away")
         ->check(whole_number(1, 100000))

@@ -19,6 +19,8 @@ QualitySettings small_quality() {
     quality.name = "small";
     quality.transmittance = {40, 12, 1};
     quality.multi_scatter = {10, 6, 1};
+    quality.angular_order = 2;
+    quality.angular_order_as_needed = false;
     quality.multi_scatter_zenith = 3;
     quality.multi_scatter_nodes = 6;
     quality.sky_view = {10, 22, 1};

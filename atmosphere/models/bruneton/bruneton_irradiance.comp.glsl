@@ -21,6 +21,11 @@ SPEC_BOOL(32, PUBLISHED_STEPS, false)
 #define AUREOLE_SHARP_PHASE(c, nu) (PUBLISHED_STEPS ? phase_value(c, nu) : smooth_phase(c, nu))
 #include "models/bruneton/bruneton_rays.glsl"
 
+struct Share {
+    vec4 share;  // x: 1, or 0 before anything has been scattered
+};
+PUSH_CONSTANTS(Share, given)
+
 LOCAL_SIZE(16, 1, 1)
 
 // Of the upper hemisphere: cosine of the zenith angle, and the weight of one azimuth, the surface's cosine included.
@@ -51,5 +56,5 @@ COMPUTE_MAIN(id) {
             sum += node.y * air_radiance(scattering_place(ray), ray.nu);
         }
     }
-    imageStore(irradiance_out, ivec2(id.x, id.y), vec4(max(sum, vec3(real(0))), real(0)));
+    imageStore(irradiance_out, ivec2(id.x, id.y), vec4(given.share.x * max(sum, vec3(real(0))), real(0)));
 }

@@ -147,8 +147,8 @@ void BrunetonSolution::advance(rhi::CommandList& commands, PassScope& scope, Pas
         rhi::Extent part = source_.extent;
         part.depth = unsigned_of(count);
         if (at.stage == Stage::field) {
-            record_field(commands, scope, tables, sets);
-            report.bytes_written += arriving_.bytes + tables.irradiance.bytes;
+            record_field(commands, scope, tables, sets, at.order);
+            report.bytes_written += arriving_.bytes + tables.irradiance.bytes * (at.order == 2 ? 2 : 1);
         } else {
             const bool density = at.stage == Stage::density;
             TrackedTexture& out = density ? source_ : tables.scattering;
@@ -165,22 +165,26 @@ void BrunetonSolution::advance(rhi::CommandList& commands, PassScope& scope, Pas
         units -= count;
         done_ += count;
     }
-    if (finished() && settings_.orders == 1) record_irradiance(commands, scope, tables, sets);
+    if (finished() && settings_.orders == 1) record_irradiance(commands, scope, tables, sets, 0);
 }
 
 void BrunetonSolution::record_irradiance(rhi::CommandList& commands, PassScope& scope, BrunetonTables& tables,
-                                         const Bindings& sets) {
+                                         const Bindings& sets, float share) {
     move(commands, {{&tables.irradiance, rhi::State::storage_write}});
-    scope.dispatch(shaders::bruneton_irradiance, irradiance_, sets.irradiance, tables.irradiance.extent);
+    const glm::vec4 push(share, 0, 0, 0);
+    scope.dispatch(shaders::bruneton_irradiance, irradiance_, sets.irradiance, tables.irradiance.extent,
+                   std::as_bytes(std::span(&push, 1)));
     move(commands, {{&tables.irradiance, rhi::State::sampled}});
 }
 
-void BrunetonSolution::record_field(rhi::CommandList& commands, PassScope& scope, BrunetonTables& tables,
-                                    const Bindings& sets) {
-    record_irradiance(commands, scope, tables, sets);
+void BrunetonSolution::record_field(rhi::CommandList& commands, PassScope& scope, BrunetonTables& tables, const Bindings& sets,
+                                    int order) {
+    // What arrives from the ground has been scattered once less than what arrives from the air, as it was reflected once more.
+    if (order == 2) record_irradiance(commands, scope, tables, sets, 0);
     move(commands, {{&arriving_, rhi::State::storage_write}});
     scope.dispatch(shaders::bruneton_arriving, arriving_pipeline_, sets.arriving, arriving_.extent);
     move(commands, {{&arriving_, rhi::State::sampled}});
+    record_irradiance(commands, scope, tables, sets, 1);
 }
 
 }  // namespace aureole::detail

@@ -51,8 +51,10 @@ private:
     };
     [[nodiscard]] Position position() const noexcept;
     [[nodiscard]] Specialize specialize() const;
-    void record_irradiance(rhi::CommandList& commands, PassScope& scope, BrunetonTables& tables, const Bindings& sets);
-    void record_field(rhi::CommandList& commands, PassScope& scope, BrunetonTables& tables, const Bindings& sets);
+    /// `share`: 1, or 0 for no irradiance at all.
+    void record_irradiance(rhi::CommandList& commands, PassScope& scope, BrunetonTables& tables, const Bindings& sets,
+                           float share);
+    void record_field(rhi::CommandList& commands, PassScope& scope, BrunetonTables& tables, const Bindings& sets, int order);
 
     AirResources& shared_;
     models::BrunetonSettings settings_;

@@ -75,7 +75,7 @@ public:
     /// How much of the solution for the air as it is has been recorded, in [0, 1].
     [[nodiscard]] virtual double progress() const noexcept { return 1; }
     /// Passes of iterative solutions recorded by each record(); 0: all at once. May throw, and then nothing has changed.
-    virtual void spread(int /*passes_per_frame*/) {}
+    virtual void spread(int /*passes_per_frame*/, bool /*first_too*/) {}
     /// Device memory of textures that are not in AirResources::objects, bytes.
     [[nodiscard]] virtual std::uint64_t more_texture_bytes() const noexcept { return 0; }
     [[nodiscard]] virtual std::unique_ptr<ModelView> make_view(ViewResources& shared, const ViewSettings& settings) = 0;

@@ -77,6 +77,7 @@ struct Atmosphere::Impl {
     AtmosphereParameters parameters;
     ModelPtr model;
     int passes_per_frame = 0;
+    bool first_too = false;
     std::unique_ptr<detail::AirTables> tables;
     std::vector<detail::AirUser*> users;
     std::vector<PassReport> reports;

@@ -146,7 +146,7 @@ void Atmosphere::set_parameters(const AtmosphereParameters& parameters) {
     }
     // Everything new is made before anything old is given up, so that a failure changes nothing.
     auto tables = std::make_unique<detail::AirTables>(impl.device, impl.frame, copy, packed, impl.model);
-    tables->model->spread(impl.passes_per_frame);
+    tables->model->spread(impl.passes_per_frame, impl.first_too);
     try {
         for (detail::AirUser* user : impl.users) user->prepare(*tables);
     } catch (...) {
@@ -164,10 +164,11 @@ const AtmosphereParameters& Atmosphere::parameters() const noexcept { return imp
 const Model& Atmosphere::model() const noexcept { return *impl_->model; }
 const QualitySettings& Atmosphere::quality() const noexcept { return impl_->model->quality(); }
 
-void Atmosphere::set_multi_scatter_passes_per_frame(int passes) {
+void Atmosphere::set_multi_scatter_passes_per_frame(int passes, bool first_too) {
     detail::check("multi_scatter_passes_per_frame", passes, 0, 64);
-    impl_->tables->model->spread(passes);
+    impl_->tables->model->spread(passes, first_too);
     impl_->passes_per_frame = passes;
+    impl_->first_too = first_too;
 }
 void Atmosphere::invalidate() noexcept {
     impl_->tables->invalidate();

@@ -1,10 +1,12 @@
 #include "app/frame.h"
 
 #include "app/meter.h"
+#include "app/solution.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 #include <variant>
 
 namespace aureole::app {
@@ -162,16 +164,17 @@ void FrameRenderer::warm_up(const Camera& camera, const std::vector<Sun>& suns) 
     const bool tabulated = std::ranges::any_of(other.terms, [](const DensityTerm& term) {
         return std::holds_alternative<TabulatedProfile>(term.profile) || std::holds_alternative<TabulatedPhase>(term.phase);
     });
-    if (!tabulated) air_.set_parameters(other);
-    backend_.run([&](rhi::CommandList& commands) { air_.record(commands); });
+    const bool twice = !tabulated && air_.progress() == 1;  // not where it takes seconds
+    if (twice) air_.set_parameters(other);
+    solve(backend_, air_, air_times_);
+    if (twice) air_times_.clear();
     target_->warm_up(camera, suns);
-    if (!tabulated) air_.set_parameters(scene_.atmosphere);
+    if (twice) air_.set_parameters(scene_.atmosphere);
 }
 
 void FrameRenderer::record_air(std::vector<PassTime>& times) {
-    const TimestampSlots slots = if_supported(backend_, air_slots);
-    backend_.run([&](rhi::CommandList& commands) { air_.record(commands, slots); });
-    collect_times(backend_, air_.reports(), air_slots, times);
+    times = std::exchange(air_times_, {});
+    solve(backend_, air_, times);
 }
 
 double FrameRenderer::measure_exposure(const std::vector<Sun>& suns, const std::optional<TerrainLight>& light) {

@@ -53,6 +53,7 @@ private:
     double camera_altitude_m_;
     Atmosphere air_;
     std::unique_ptr<Target> target_, meter_;
+    std::vector<PassTime> air_times_;  ///< Of a solution that the warm-up has made.
     bool warm_ = false;
 };
 

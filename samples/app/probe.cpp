@@ -1,5 +1,7 @@
 #include "app/probe.h"
 
+#include "app/solution.h"
+
 #include "io/csv.h"
 
 #include <aureole/atmosphere.h>
@@ -97,6 +99,8 @@ std::vector<Rgb> probe(Backend& backend, const AtmosphereParameters& parameters,
     View view(air, settings, composite);
     ProbeTarget target(backend, view, largest);
 
+    std::vector<PassTime> times;
+    solve(backend, air, times);
     const double radius = parameters.planet.bottom_radius_m;
     std::vector<Rgb> radiance(rows.size());
     for (const auto& [place, group] : groups) {
@@ -105,7 +109,6 @@ std::vector<Rgb> probe(Backend& backend, const AtmosphereParameters& parameters,
         view.update(look(radius, place.second * 1000, 0, 0, 1, 1), {&sun, 1});
         target.look(rows, group);
         backend.run([&](rhi::CommandList& commands) {
-            air.record(commands);
             view.record(commands);
             view.record_composite(commands, target.targets());
         });

@@ -77,7 +77,9 @@ public:
     /// less than two solutions' frames old. Solved at once all the same: the first solution, one after a change of the planet's
     /// radii or of the structure, and that of a model without orders to solve (hillaire). n > 0 keeps a copy of what a solution
     /// reads: memory of one more transmittance table, and of the tabulated profiles (table_bytes).
-    void set_multi_scatter_passes_per_frame(int passes);
+    /// `first_too`: a model that takes seconds (bruneton) spreads its first solution as well; until progress() is 1 views have
+    /// nothing to show.
+    void set_multi_scatter_passes_per_frame(int passes, bool first_too = false);
 
     /// Frame number, in the host's counting, of the recording that follows: objects replaced by set_* die after it. Any number;
     /// it must not fall. 0 before the first call.
@@ -97,7 +99,7 @@ public:
     [[nodiscard]] std::span<const PassReport> reports() const noexcept;
 
     /// Share of the tables for the air as it is that has been recorded, in [0, 1]; below 1 only where a model spreads its work
-    /// over frames (models::BrunetonSettings::slices_per_frame).
+    /// over frames (models::BrunetonSettings::slices_per_frame), and before that has begun.
     [[nodiscard]] double progress() const noexcept;
 
     [[nodiscard]] rhi::Device& device() const noexcept;

@@ -90,7 +90,7 @@ bool AureoleAir::record(rhi::CommandList& commands, const AtmosphereBlock& block
 
 bool AureoleAir::ready() const noexcept { return multi_scatter_.table().state != rhi::State::undefined; }
 
-void AureoleAir::spread(int passes_per_frame) {
+void AureoleAir::spread(int passes_per_frame, bool /*first_too*/) {
     multi_scatter_.keep_copy(passes_per_frame > 0);
     passes_per_frame_ = passes_per_frame;
 }

@@ -21,7 +21,7 @@ public:
     bool record(rhi::CommandList& commands, const AtmosphereBlock& block, std::span<PassReport> reports,
                 TimestampSlots timestamps) override;
     [[nodiscard]] bool ready() const noexcept override;
-    void spread(int passes_per_frame) override;
+    void spread(int passes_per_frame, bool first_too) override;
     [[nodiscard]] std::uint64_t more_texture_bytes() const noexcept override { return multi_scatter_.copy_bytes(); }
     [[nodiscard]] std::unique_ptr<ModelView> make_view(ViewResources& shared, const ViewSettings& settings) override;
     [[nodiscard]] rhi::Texture transmittance_table() const noexcept override { return transmittance_.table().handle; }

@@ -135,7 +135,7 @@ std::unique_ptr<BrunetonAir::Back> BrunetonAir::make_back() const {
     return back;
 }
 
-void BrunetonAir::spread(int passes_per_frame) {
+void BrunetonAir::spread(int passes_per_frame, bool first_too) {
     const bool wanted = passes_per_frame > 0 || settings_.slices_per_frame > 0;
     if (wanted && !back_) back_ = make_back();
     if (!wanted && back_) {
@@ -144,6 +144,7 @@ void BrunetonAir::spread(int passes_per_frame) {
         back_.reset();
     }
     passes_per_frame_ = passes_per_frame;
+    first_too_ = first_too;
 }
 
 int BrunetonAir::budget() const noexcept {
@@ -160,7 +161,7 @@ std::uint64_t BrunetonAir::more_texture_bytes() const noexcept { return back_ ? 
 bool BrunetonAir::record(rhi::CommandList& commands, const AtmosphereBlock&, std::span<PassReport> reports,
                          TimestampSlots timestamps) {
     if (!stale_ && !working_) return false;
-    const bool first_in_parts = !shown_ && settings_.slices_per_frame > 0;
+    const bool first_in_parts = !shown_ && (settings_.slices_per_frame > 0 || first_too_);
     if (budget() > 0 && back_ && (fits_ || first_in_parts)) return solve_a_part(commands, reports, timestamps);
     solve_at_once(commands, reports, timestamps);
     return true;

@@ -21,7 +21,7 @@ public:
                 TimestampSlots timestamps) override;
     [[nodiscard]] bool ready() const noexcept override { return shown_; }
     [[nodiscard]] double progress() const noexcept override;
-    void spread(int passes_per_frame) override;
+    void spread(int passes_per_frame, bool first_too) override;
     [[nodiscard]] std::uint64_t more_texture_bytes() const noexcept override;
     [[nodiscard]] std::unique_ptr<ModelView> make_view(ViewResources& shared, const ViewSettings& settings) override;
     [[nodiscard]] rhi::Texture transmittance_table() const noexcept override { return transmittance_.table().handle; }
@@ -54,6 +54,7 @@ private:
     BrunetonSolution::Bindings front_bindings_;
     std::unique_ptr<Back> back_;
     int passes_per_frame_ = 0;
+    bool first_too_ = false;
     bool stale_ = true;     // a solution for the air as it is has not been started
     bool working_ = false;  // one has been, in the back tables
     bool shown_ = false;    // the front tables hold a solution

@@ -178,6 +178,25 @@ TEST_CASE("bruneton: spread over frames it makes the same tables, and shows them
     }
 }
 
+TEST_CASE("bruneton: a host's own budget for the first solution, too") {
+    const auto cpu = open_cpu_float();
+    AirRig whole(*cpu, setup_of("earth", small()));
+    whole.record_air();
+    AirRig rig(*cpu, setup_of("earth", small()));
+    rig.air.set_multi_scatter_passes_per_frame(1, true);
+    CHECK(rig.air.progress() == 0);
+    double before = 0;
+    int frames = 0;
+    while (rig.air.progress() < 1 && frames < 100) {
+        rig.record_air();
+        CHECK(rig.air.progress() > before);
+        before = rig.air.progress();
+        ++frames;
+    }
+    CHECK(frames > 3);
+    CHECK(scattering(rig) == scattering(whole));
+}
+
 TEST_CASE("bruneton: a host's own budget, a dropped list, other radii") {
     const auto cpu = open_cpu_float();
     AirRig rig(*cpu, setup_of("earth", small()));

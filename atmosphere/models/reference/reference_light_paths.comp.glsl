@@ -25,10 +25,10 @@ COMPUTE_MAIN(id) {
         Leg leg = leg_to_end(start.walk, FIRST_ORDER_SAMPLED, sun);
         int first = LIGHT_PATHS * part / LIGHT_PARTS;
         int count = LIGHT_PATHS * (part + 1) / LIGHT_PARTS - first;
+        if (part == 0) radiance = exact_part(start.walk, leg, sun);
         Estimate estimate = no_estimate();
         add_paths(estimate, start.walk, leg, sun, uint(id.x), uint(sun), first, count);
-        radiance = real(count) / real(max(LIGHT_PATHS, 1)) * estimate.mean;
-        if (part == 0) radiance += exact_part(start.walk, leg, sun);
+        radiance += real(count) / real(max(LIGHT_PATHS, 1)) * estimate.mean;
     }
     imageStore(light_out, ivec2(id.x, id.y), vec4(radiance, real(1)));
 }

@@ -177,6 +177,42 @@ TEST_CASE("reference: a film adds up frames to what one frame of as many paths s
     });
 }
 
+TEST_CASE("reference: a frame's paths in several dispatches are those of one") {
+    Backends backends;
+    constexpr rhi::Extent few{5, 3, 1};
+    const auto show = [&](Backend& backend, const ReferenceSettings& settings, int frames) {
+        Rig rig(backend, setup_of(settings));
+        for (int frame = 0; frame < frames; ++frame) {
+            rig.record_air();
+            rig.record_view(camera_at(rig.setup.air.planet, 1500), sun_at(20));
+        }
+        if (settings.film_width > 0) CHECK(film_of(rig, few).paths(4, 2) == 70);
+        if (frames == 1 && settings.film_width > 0) CHECK(rig.view.reports()[0].invocations == 3 * few.width * few.height);
+        return rig.show(few);
+    };
+    for (Backend* backend : {backends.single.get(), backends.exact.get()}) {
+        const Image undivided = show(*backend, paths(70), 1);
+        CHECK(show(*backend, with_film(70, few), 1) == undivided);
+        CHECK(show(*backend, with_film(35, few), 2) == undivided);
+    }
+    // Far more than llvmpipe lets one invocation do.
+    if (!backends.vulkan) return;
+    ReferenceSettings many = with_film(300, few);
+    Rig single(*backends.single, setup_of(many)), vulkan(*backends.vulkan, setup_of(many));
+    check_same(picture(vulkan), picture(single), "300 paths a frame");
+    CHECK(film_of(vulkan, few).paths(4, 2) == 300);
+}
+
+TEST_CASE("reference: what the qualities ask of an invocation is not too much for llvmpipe") {
+    const auto cpu = open_cpu_float(), vulkan = open_vulkan();
+    if (!vulkan) return;
+    const Setup setup = setup_of(ReferenceSettings::by_name("high"), "hazy_earth");
+    Rig single(*cpu, setup), other(*vulkan, setup);
+    for (const auto& [altitude, elevation] : {std::pair(2.0, -3.0), {3e5, 5.0}})
+        check_same(picture(other, altitude, elevation), picture(single, altitude, elevation),
+                   place_name("hazy_earth", altitude, elevation));
+}
+
 TEST_CASE("reference: the error shown is the film's, and that of pictures that differ by their frames alone") {
     const auto cpu = open_cpu_double();
     ReferenceSettings settings = with_film(16);

@@ -125,10 +125,13 @@ TEST_CASE("models: each in every quality shows day, dusk and space") {
     const auto cpu = open_cpu_float(), vulkan = open_vulkan();
     for (const std::string_view model : model_names())
         for (const std::string_view quality : quality_names()) {
+            if (quality == "low") continue;  // that is the case above
             Worst worst;
             Shown one(*cpu, model, quality, "earth");
             std::optional<Shown> other;
-            if (vulkan) other.emplace(*vulkan, model, quality, "earth");
+            // Qualities of reference are numbers of paths; reference_backends_test has them on Vulkan, which needs long to
+            // compile.
+            if (vulkan && model != "reference") other.emplace(*vulkan, model, quality, "earth");
             for (const auto& [altitude, elevation] : {std::pair(200.0, 30.0), {2.0, -4.0}, {3e5, 5.0}}) {
                 const std::vector<Image> images = one.show(altitude, elevation);
                 const std::string where = std::string(model) + " " + std::string(quality);

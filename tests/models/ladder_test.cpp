@@ -26,8 +26,8 @@ ModelPtr model_of(std::string_view model, std::string_view quality) {
     ModelPtr whole = model_by_name(model, quality);
     if (model != "bruneton" || quality == "low") return whole;
     models::BrunetonSettings settings = models::BrunetonSettings::by_name(quality);
-    settings.altitude_nodes = 12;
-    settings.view_nodes = 48;
+    settings.altitude_nodes = 8;
+    settings.view_nodes = 32;
     settings.sun_nodes = 16;
     return models::bruneton(settings);
 }

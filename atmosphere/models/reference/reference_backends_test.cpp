@@ -87,11 +87,11 @@ ReferenceFilm film_of(Rig& rig, rhi::Extent film) {
 TEST_CASE("reference: every backend follows the same paths, as compute and as a draw") {
     Backends backends;
     for (const char* preset : {"earth", "hazy_earth", "mars", "airless"})
-        for (const double elevation : {30.0, -3.0})
-            for (const double altitude : {2.0, 3e5}) {
-                Setup setup = setup_of(paths(4), preset);
-                setup.composite.raster = altitude > 1e5;
-                Trio<Rig> trio(backends, setup);
+        for (const double altitude : {2.0, 3e5}) {
+            Setup setup = setup_of(paths(4), preset);
+            setup.composite.raster = altitude > 1e5;
+            Trio<Rig> trio(backends, setup);
+            for (const double elevation : {30.0, -3.0}) {
                 const auto show = [&](Rig& rig) { return picture(rig, altitude, elevation); };
                 Images images{show(trio.single), show(trio.exact), {}};
                 if (trio.vulkan) images.vulkan = show(*trio.vulkan);
@@ -101,6 +101,7 @@ TEST_CASE("reference: every backend follows the same paths, as compute and as a 
                 check_same(images.single, images.exact, where + ": float and double");
                 if (images.vulkan) check_same(*images.vulkan, images.single, where + ": Vulkan and float");
             }
+        }
 }
 
 TEST_CASE("reference: sound in every air, from the ground to space, from noon to night") {

@@ -237,7 +237,9 @@ def write_depfile(args, files):
 def make_kernel(args):
     name, stage = re.fullmatch(r'(\w+)\.(comp|frag)\.glsl', os.path.basename(args.kernel)).groups()
     flat = Flattener(args.include)
-    flat.emit('#version 450', (args.kernel, 1))
+    for line in ('#version 450', '#ifdef GL_EXT_control_flow_attributes',
+                 '#extension GL_EXT_control_flow_attributes : enable', '#define AUREOLE_CONTROL_FLOW_ATTRIBUTES', '#endif'):
+        flat.emit(line, (args.kernel, 1))
     flat.add_file(args.prelude)
     flat.add_file(args.kernel)
     text = flat.text()

@@ -3,9 +3,9 @@
 #include "quadrature/gauss_legendre.h"
 
 namespace aureole::detail {
-namespace {
-constexpr int zenith_nodes = 8;  // LIGHT_ZENITHS of light.comp.glsl
-}
+
+// Phase functions up to degree 8: with 12 azimuths, degrees from 10 on would be taken for those that are wanted.
+Specialize light_specialization(const ViewResources& shared) { return shared.specialize().set(14, 8); }
 
 LightPass::LightPass(ViewResources& shared, const ModelKernels& kernels, bool enabled)
     : enabled_(enabled), shader_(kernels.light) {
@@ -16,10 +16,9 @@ LightPass::LightPass(ViewResources& shared, const ModelKernels& kernels, bool en
                               rhi::Format::rgba32_float,
                               {10, shared.suns, 1},
                               rhi::Usage::sampled | rhi::Usage::storage | rhi::Usage::copy_source});
-    rule_ = quadrature_block(zenith_nodes);
+    rule_ = quadrature_block(light_zeniths);
     quadrature_ = objects.constants("light quadrature", sizeof rule_);
-    // Phase functions up to degree 8: with 12 azimuths, degrees from 10 on would be taken for those that are wanted.
-    Specialize values = shared.specialize().set(14, 8);
+    Specialize values = light_specialization(shared);
     for (const rhi::Specialization& value : kernels.specialization) values.set(value);
     pipeline_ = objects.compute(*shader_, values.values());
     std::vector<rhi::Binding> slots = kernels.tables;

@@ -8,37 +8,29 @@
 //     ground, per unit of the sun's irradiance, aerosols by smooth_phase: without their peak, which the few directions of the
 //     integral would miss or exaggerate;
 //   vec3 transmittance_to_top(real altitude, real mu), as transmittance.glsl has it.
+// A model that has traced the directions of the integral (directions.glsl) beforehand gives, instead of the first, an
+// AUREOLE_LIGHT_RADIANCE(sun, index, at) that looks the radiance of the direction of this index up.
 #ifndef AUREOLE_LIGHT_GLSL
 #define AUREOLE_LIGHT_GLSL
 
+#include "light/directions.glsl"
 #include "light/harmonics.glsl"
 #include "light/sun.glsl"
 
-CONST(int, LIGHT_ZENITHS, 8)
-CONST(int, LIGHT_AZIMUTHS, 12)
+#ifndef AUREOLE_LIGHT_RADIANCE
+#define AUREOLE_LIGHT_RADIANCE(sun, index, at) smooth_sky_radiance(sun, at.mu, at.sine, at.azimuth_cosine, at.nu)
+#endif
 
 LOCAL_SIZE(10, 1, 1)
 
 vec3 sky_coefficient(int sun, int coefficient) {
-    vec3 up = vec3(view.up);
-    vec3 towards = vec3(view.sun_azimuth[sun]);
-    vec3 side = cross(up, towards);
     vec3 sum = vec3(real(0));
-    for (int half_sphere = 0; half_sphere < 2; ++half_sphere) {
-        bool below = half_sphere == 1;
-        real range = below ? real(0.5) * PI - view.space.z : view.space.z - view.space.y;  // from the horizon to the last of the sky
-        for (int i = 0; i < LIGHT_ZENITHS; ++i) {
-            real s = zenith_quadrature.node[i].x;
-            real angle = range * s * s;
-            real elevation = (below ? -angle : angle) - view.space.z;
-            real weight = zenith_quadrature.node[i].y * range * 2 * s * cos(elevation) * (2 * PI / real(LIGHT_AZIMUTHS));
-            for (int k = 0; k < LIGHT_AZIMUTHS; ++k) {
-                real azimuth = 2 * PI * (real(k) + real(0.5)) / real(LIGHT_AZIMUTHS);
-                vec3 direction = cos(elevation) * (cos(azimuth) * towards + sin(azimuth) * side) + sin(elevation) * up;
-                real nu = dot(direction, vec3(view.sun_direction[sun]));
-                sum += smooth_sky_radiance(sun, sin(elevation), cos(elevation), cos(azimuth), nu) *
-                       (weight * world_harmonic(coefficient, direction));
-            }
+    for (int ring = 0; ring < LIGHT_RINGS; ++ring) {
+        LightRing around = light_ring(ring);
+        for (int k = 0; k < LIGHT_AZIMUTHS; ++k) {
+            LightDirection at = light_direction(sun, around, k);
+            sum += AUREOLE_LIGHT_RADIANCE(sun, ring * LIGHT_AZIMUTHS + k, at) *
+                   (around.weight * world_harmonic(coefficient, at.direction));
         }
     }
     return sum;

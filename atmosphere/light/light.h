@@ -5,6 +5,12 @@
 
 namespace aureole::detail {
 
+/// Of the light's integral: light/directions.glsl.
+constexpr int light_zeniths = 8;
+constexpr std::uint32_t light_directions = 192;
+/// Specialization of every kernel that evaluates the sky for it.
+[[nodiscard]] Specialize light_specialization(const ViewResources& shared);
+
 class LightPass {
 public:
     /// `enabled` false: nothing is made or recorded.

@@ -18,7 +18,7 @@ real term_column(int i, real altitude, real mu, real t0, real t1, bool dense_end
     real mu_dense = min(abs(r * mu + dense) / (bottom_radius() + h), real(1));
     RayMap map = ray_map(max(t1 - t0, real(0)), h, mu_dense, term_kind(i) == PROFILE_EXPONENTIAL ? atm.term_profile[i].x : real(0), real(0));
     real sum = real(0);
-    for (int j = 0; j < AUREOLE_COLUMN_NODES; ++j) {
+    UNROLL for (int j = 0; j < AUREOLE_COLUMN_NODES; ++j) {
         real u = AUREOLE_COLUMN_QUADRATURE.node[j].x;
         real s = map_distance(map, u);
         sum += term_density(i, altitude_after(altitude, mu, dense_end ? t1 - s : t0 + s)) * (AUREOLE_COLUMN_QUADRATURE.node[j].y * map_rate(map, u));

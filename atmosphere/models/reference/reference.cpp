@@ -1,6 +1,7 @@
 #include "models/reference/reference.h"
 
 #include "common/check.h"
+#include "light/light.h"
 #include "module/requirements.h"
 #include "quadrature/gauss_legendre.h"
 
@@ -16,8 +17,10 @@ namespace {
 
 using models::ReferenceSettings;
 
-constexpr std::array<std::string_view, 1> film_pass{"film"};
+constexpr std::array<std::string_view, 2> pass_names{"film", "light paths"};
 constexpr std::uint32_t film_layers = 3;  // film.glsl
+/// Of one invocation: reference.md says what limits it.
+constexpr int most_paths = 32;
 
 class ReferenceModel final : public Model {
 public:
@@ -50,14 +53,26 @@ ViewBlock for_paths(ViewBlock block) {
     return block;
 }
 
+/// Invocations that share the paths of a direction of the light.
+int light_parts(const ReferenceSettings& s) { return std::max((s.light_paths + most_paths - 1) / most_paths, 1); }
+
 Specialize specialization(const ReferenceSettings& s) {
     Specialize values;
     values.set(8, s.nodes).set(10, true).set(11, false);
     values.set(26, s.paths_per_frame).set(27, s.max_order).set(28, s.sampled_first_order).set(29, s.first_order_parts);
     values.set(30, s.roulette_order).set(31, s.seed).set(32, s.film_width > 0);
-    values.set(33, s.show == ReferenceSettings::Show::standard_error).set(34, s.light_paths);
+    values.set(33, s.show == ReferenceSettings::Show::standard_error);
+    values.set(34, s.light_paths).set(35, light_parts(s));
     return values;
 }
+/// The same without what the light's directions do not depend on: where the camera looks, and how bright suns are.
+ViewBlock for_light_paths(const ViewBlock& block) {
+    ViewBlock result = for_paths(block);
+    result.ray_origin = result.ray_x = result.ray_y = glm::vec4(0);
+    for (glm::vec4& irradiance : result.sun_irradiance) irradiance = glm::vec4(0);
+    return result;
+}
+bool same_block(const ViewBlock& a, const ViewBlock& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 }  // namespace
 
@@ -68,8 +83,10 @@ std::unique_ptr<ModelView> ReferenceAir::make_view(ViewResources& shared, const 
 ReferenceView::ReferenceView(ViewResources& shared, const ViewSettings& view, const ReferenceSettings& settings)
     : settings_(settings),
       rule_(quadrature_block(settings.nodes)),
-      quadrature_(shared.objects.constants("reference quadrature", sizeof rule_)) {
+      quadrature_(shared.objects.constants("reference quadrature", sizeof rule_)),
+      has_light_(view.light) {
     if (has_film()) make_film(shared);
+    if (has_light_) make_light(shared);
     const Specialize constants = specialization(settings);
     const auto values = constants.values();
     kernels_ = {.composite = &shaders::reference_composite,
@@ -79,6 +96,7 @@ ReferenceView::ReferenceView(ViewResources& shared, const ViewSettings& view, co
                            {11, {}, {}, quadrature_.handle}},
                 .specialization = {values.begin(), values.end()},
                 .aerial_perspective = view.aerial_perspective};
+    if (has_light_) kernels_.tables.push_back({3, light_.handle, shared.air.nearest, {}});
 }
 
 void ReferenceView::make_film(ViewResources& shared) {
@@ -104,42 +122,95 @@ void ReferenceView::make_film(ViewResources& shared) {
     go_on_ = shared.objects.bindings("film", pipeline_, slots);
 }
 
+void ReferenceView::make_light(ViewResources& shared) {
+    Specialize values = light_specialization(shared);
+    const Specialize constants = specialization(settings_);
+    for (const rhi::Specialization& value : constants.values()) values.set(value);
+    zenith_rule_ = quadrature_block(light_zeniths);
+    zeniths_ = shared.objects.constants("light paths quadrature", sizeof zenith_rule_);
+    light_ = shared.objects.texture({"light paths",
+                                     rhi::Dimension::d2,
+                                     rhi::Format::rgba32_float,
+                                     {light_directions, shared.suns * static_cast<std::uint32_t>(light_parts(settings_)), 1},
+                                     rhi::Usage::sampled | rhi::Usage::storage});
+    light_pipeline_ = shared.objects.compute(shaders::reference_light_paths, values.values());
+    light_bindings_ = shared.objects.bindings("light paths", light_pipeline_,
+                                              {{0, {}, {}, shared.air.block.handle},
+                                               {1, {}, {}, shared.block.handle},
+                                               {7, shared.air.phase_table.handle, shared.air.nearest, {}},
+                                               {8, {}, {}, zeniths_.handle},
+                                               {9, light_.handle, {}, {}},
+                                               {10, shared.air.profile_table.handle, shared.air.nearest, {}},
+                                               {11, {}, {}, quadrature_.handle}});
+}
+
 std::span<const std::string_view> ReferenceView::passes() const noexcept {
-    return has_film() ? std::span<const std::string_view>(film_pass) : std::span<const std::string_view>();
+    return std::span(pass_names).subspan(has_film() ? 0 : 1, std::size_t{has_film()} + std::size_t{has_light_});
 }
 
 void ReferenceView::update(const ViewBlock& before, const ViewBlock& fresh) noexcept {
-    const ViewBlock one = for_paths(before), other = for_paths(fresh);
-    if (std::memcmp(&one, &other, sizeof one) != 0) restart();
+    if (!same_block(for_paths(before), for_paths(fresh))) restart_film();
+    if (!same_block(for_light_paths(before), for_light_paths(fresh))) light_stale_ = true;
+}
+
+void ReferenceView::restart_film() noexcept {
+    paths_ = 0;
+    started_ = false;
 }
 
 void ReferenceView::restart() noexcept {
-    paths_ = 0;
-    started_ = false;
+    restart_film();
+    light_stale_ = true;
 }
 
 void ReferenceView::invalidate() noexcept {
     forget(quadrature_);
     forget(film_);
     forget(next_);
+    forget(zeniths_);
+    forget(light_);
     restart();
 }
 
 void ReferenceView::record(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps) {
     if (quadrature_.state == rhi::State::undefined) update_block(commands, quadrature_, rule_);
-    const int more = std::min(settings_.paths_per_frame, settings_.max_paths - paths_);
-    if (!has_film() || (more == 0 && started_)) return;
-    PassScope scope(commands, reports[0], timestamps, 0);
-    move(commands, {{&next_, rhi::State::storage_write}});
-    const glm::vec4 push(static_cast<float>(paths_), static_cast<float>(more), 0.0F, 0.0F);
-    scope.dispatch(shaders::reference_film, pipeline_, started_ ? go_on_ : start_,
-                   {settings_.film_width, settings_.film_height, 1}, std::as_bytes(std::span(&push, 1)));
-    move(commands, {{&film_, rhi::State::copy_destination}, {&next_, rhi::State::copy_source}});
-    commands.copy(rhi::TextureToTexture{next_.handle, film_.handle});
-    move(commands, {{&film_, rhi::State::sampled}});
-    reports[0].bytes_written = next_.bytes + film_.bytes;
-    paths_ += more;
-    started_ = true;
+    const bool more = paths_ < settings_.max_paths && settings_.paths_per_frame > 0;
+    if (has_film() && (more || !started_)) record_film(commands, reports[0], timestamps);
+    if (has_light_ && light_stale_) {
+        const std::uint32_t pass = has_film() ? 1 : 0;
+        record_light(commands, reports[pass], timestamps, pass);
+    }
+}
+
+void ReferenceView::record_film(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps) {
+    PassScope scope(commands, report, timestamps, 0);
+    report.bytes_written = 0;
+    int left = std::min(settings_.paths_per_frame, settings_.max_paths - paths_);
+    do {  // once without paths: for what is known without them
+        const int count = std::min(left, most_paths);
+        move(commands, {{&next_, rhi::State::storage_write}});
+        const glm::vec4 push(static_cast<float>(paths_), static_cast<float>(count), 0.0F, 0.0F);
+        scope.dispatch(shaders::reference_film, pipeline_, started_ ? go_on_ : start_,
+                       {settings_.film_width, settings_.film_height, 1}, std::as_bytes(std::span(&push, 1)));
+        move(commands, {{&film_, rhi::State::copy_destination}, {&next_, rhi::State::copy_source}});
+        commands.copy(rhi::TextureToTexture{next_.handle, film_.handle});
+        move(commands, {{&film_, rhi::State::sampled}});
+        report.bytes_written += next_.bytes + film_.bytes;
+        started_ = true;
+        paths_ += count;
+        left -= count;
+    } while (left > 0);
+}
+
+void ReferenceView::record_light(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps,
+                                 std::uint32_t index) {
+    if (zeniths_.state == rhi::State::undefined) update_block(commands, zeniths_, zenith_rule_);
+    PassScope scope(commands, report, timestamps, index);
+    move(commands, {{&light_, rhi::State::storage_write}});
+    scope.dispatch(shaders::reference_light_paths, light_pipeline_, light_bindings_, light_.extent);
+    move(commands, {{&light_, rhi::State::sampled}});
+    report.bytes_written = light_.bytes;
+    light_stale_ = false;
 }
 
 bool ReferenceView::ready() const noexcept {

@@ -32,6 +32,10 @@ public:
 private:
     [[nodiscard]] bool has_film() const noexcept { return settings_.film_width > 0; }
     void make_film(ViewResources& shared);
+    void make_light(ViewResources& shared);
+    void restart_film() noexcept;
+    void record_film(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps);
+    void record_light(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
 
     models::ReferenceSettings settings_;
     QuadratureBlock rule_;
@@ -42,6 +46,15 @@ private:
     rhi::BindingSet start_, go_on_;  ///< Of a new film, which has nothing to read, and of one that has.
     int paths_ = 0;                  ///< In each texel of the film.
     bool started_ = false;           ///< The film holds what this camera sees of this air.
+
+    bool has_light_;
+    bool light_stale_ = true;
+    QuadratureBlock zenith_rule_;
+    TrackedBuffer zeniths_;
+    TrackedTexture light_;  ///< The directions of the light's integral (light_paths.glsl).
+    rhi::Pipeline light_pipeline_;
+    rhi::BindingSet light_bindings_;
+
     ModelKernels kernels_;
 };
 

@@ -26,22 +26,24 @@ vec3 film_sky(ivec2 pixel) {
     return mix(mix(film_shown(ivec2(i, j)), film_shown(ivec2(i + 1, j)), u), mix(film_shown(ivec2(i, j + 1)), film_shown(ivec2(i + 1, j + 1)), u), v);
 }
 
+// Paths come last wherever they are traced: a driver that ends the loops of an invocation which has done too much (reference.md) then
+// cuts their number, not what is known without them.
 vec3 traced(ivec2 pixel, Walk walk, Leg leg) {
+    vec3 exact = SHOW_ERROR ? vec3(real(0)) : exact_part(walk, leg, ALL_SUNS);
     Estimate estimate = no_estimate();
     add_paths(estimate, walk, leg, ALL_SUNS, uint(pixel.x), uint(pixel.y), int(target.size.z) * PATHS, PATHS);
-    return shown(SHOW_ERROR ? vec3(real(0)) : exact_part(walk, leg, ALL_SUNS), estimate);
+    return shown(exact, estimate);
 }
 
 vec3 traced_sky(ivec2 pixel, vec3 direction, ViewDirection v, vec3 beyond) {
     CameraWalk start = camera_walk(direction, v);
     if (!start.met) return SHOW_ERROR ? vec3(real(0)) : beyond;
     Leg leg = leg_to_end(start.walk, FIRST_ORDER_SAMPLED, ALL_SUNS);
-    vec3 radiance = vec3(real(0));
-    if (FILM && !GIVEN_DIRECTIONS) radiance = film_sky(pixel);
-    else radiance = traced(pixel, start.walk, leg);
+    vec3 behind = vec3(real(0));
     if ((SUN_DISK || SCENE_COLOR) && !SHOW_ERROR && !leg.ground)
-        radiance += beyond * exp(-optical_depth_along(start.walk.altitude, start.walk.mu, leg.end));
-    return radiance;
+        behind = beyond * exp(-optical_depth_along(start.walk.altitude, start.walk.mu, leg.end));
+    if (FILM && !GIVEN_DIRECTIONS) return film_sky(pixel) + behind;
+    return traced(pixel, start.walk, leg) + behind;
 }
 
 AerialPerspective aerial_perspective(real x, real y, real distance_km, vec3 direction) {

@@ -38,7 +38,7 @@ ReferenceSettings ReferenceSettings::by_name(std::string_view quality) {
     if (quality == "low")
         settings.paths_per_frame = 4;
     else if (quality == "high")
-        settings.paths_per_frame = 256;
+        settings.paths_per_frame = 64;
     else if (quality != "default")
         reject("quality", "\"" + std::string(quality) + "\"", "one of low, default, high");
     return settings;

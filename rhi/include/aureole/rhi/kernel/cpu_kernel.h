@@ -332,6 +332,7 @@ using glm::abs, glm::acos, glm::asin, glm::atan, glm::ceil, glm::clamp, glm::cos
 #define INOUT(T) T&
 #define CONST(T, NAME, VALUE) static constexpr T NAME = VALUE;
 #define COUNT(n) this->count_(n)
+#define UNROLL
 #define LOCAL_ARRAY(T, name, SIZE, MAX) T name[MAX];
 #define SPEC_INT(id, NAME, VALUE) int NAME = this->template specialization<int>(id, VALUE);
 #define SPEC_BOOL(id, NAME, VALUE) bool NAME = this->template specialization<bool>(id, VALUE);

@@ -12,6 +12,7 @@
 //   - Uniform blocks and push constants consist of vec4 (and mat4) only; integers travel as floats below 2^24.
 //   - Textures are read with SAMPLE(texture, uv) (filtered, level 0), texelFetch(texture, ivec, 0) and textureSize(texture, 0).
 //   - Storage images are write-only: imageStore(image, ivec, vec4), imageSize(image).
+//   - UNROLL before a `for` of few rounds, their number a specialization constant: a wish to have them written out one by one.
 //   - COUNT(n); where a kernel evaluates the medium n times: counted on the CPU when asked for, nothing in GLSL.
 //   - Include guards as in C. A function is declared before it is used.
 //
@@ -29,6 +30,11 @@
 // A local array of SIZE elements, SIZE made of specialization constants and never above the constant MAX.
 #define LOCAL_ARRAY(T, name, SIZE, MAX) T name[SIZE];
 #define COUNT(n)
+#ifdef AUREOLE_CONTROL_FLOW_ATTRIBUTES  // who says so has enabled the extension, which only the first lines of a shader may do
+#define UNROLL [[unroll]]
+#else
+#define UNROLL
+#endif
 
 #ifdef AUREOLE_OPENGL
 #define AUREOLE_DEFINED_CONSTANTS

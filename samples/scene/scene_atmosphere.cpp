@@ -121,6 +121,8 @@ void read_term(Section section, AtmosphereParameters& air, Origins& origins) {
     origins.insert_or_assign(field, section);
     term->scattering_per_m = section.rgb("scattering_per_m", any).value_or(term->scattering_per_m);
     term->absorption_per_m = section.rgb("absorption_per_m", any).value_or(term->absorption_per_m);
+    term->scattering_scale = section.number("scattering_scale", any).value_or(term->scattering_scale);
+    term->absorption_scale = section.number("absorption_scale", any).value_or(term->absorption_scale);
     if (const auto profile = section.section("profile")) {
         origins.insert_or_assign(field + ".profile", *profile);
         term->profile = read_profile(*profile);

@@ -134,6 +134,7 @@ FrameRenderer::FrameRenderer(Backend& backend, const Scene& scene, const Land* l
     CompositeSettings shown = composite;
     shown.raster = options.raster;
     shown.sun_disk = scene.sun_disk;
+    shown.sun_lobe_g = scene.sun_lobe_g;
     shown.target_format = options.linear ? rhi::Format::rgba32_float : rhi::Format::rgba8_unorm;
     if (!options.linear) {
         shown.tone_map = ToneMap::aces_fitted;

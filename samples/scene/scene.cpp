@@ -87,6 +87,7 @@ Scene read_root(Section root, const std::filesystem::path& folder) {
     read_size(root, scene);
     read_exposure(root, scene.exposure);
     scene.sun_disk = root.boolean("sun_disk").value_or(true);
+    scene.sun_lobe_g = root.number("sun_lobe_g", {0, 0.9999}).value_or(0);
     if (const auto model = root.choice("model", model_names())) scene.model.name = model_names()[*model];
     if (const auto quality = root.choice("quality", quality_names())) scene.model.quality = quality_names()[*quality];
     scene.aerial_perspective_distance_m =

@@ -72,6 +72,7 @@ struct Scene {
     SceneCamera camera;
     SceneExposure exposure;
     bool sun_disk = true;
+    double sun_lobe_g = 0;  ///< CompositeSettings::sun_lobe_g
     SceneModel model;
     double aerial_perspective_distance_m = 96000;
     std::uint32_t width = 1280, height = 720;

@@ -264,7 +264,7 @@ TEST_CASE("shadows: more samples and slices come closer to a fine march") {
 TEST_CASE("shadows: the same on every backend") {
     Backends backends;
     Precision precision;
-    for (const char* preset : {"hazy_earth", "mars"}) {
+    for (const char* preset : {"hazy_earth", "mars", "titan"}) {
         Setup setup = setup_of(nullptr, fine(1), presets::by_name(preset));
         setup.quality.froxel_format = rhi::Format::rgba32_float;
         Trio<Rig> trio(backends, setup);

@@ -59,6 +59,7 @@ SceneTerrain read_terrain(Section section, const std::filesystem::path& folder) 
     terrain.camera_east_m = section.number("camera_east_m", {-1e6, 1e6}).value_or(0);
     terrain.camera_north_m = section.number("camera_north_m", {-1e6, 1e6}).value_or(0);
     terrain.range_m = section.number("range_m", {100, 1e6}).value_or(terrain.range_m);
+    terrain.air_shadows_m = section.number("air_shadows_m", {0, 1e6}).value_or(0);
     terrain.albedo = section.rgb("albedo", {0, 1});
     section.finish();
     return terrain;

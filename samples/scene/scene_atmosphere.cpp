@@ -157,23 +157,10 @@ void read_term(Section section, AtmosphereParameters& air, Origins& origins) {
 
 AtmosphereParameters read_atmosphere(Section section) {
     AtmosphereParameters air;
-    const auto preset = section.choice("preset", {"earth", "hazy_earth", "mars", "airless", "none"});
-    switch (preset.value_or(0)) {
-        case 0:
-            air = presets::earth();
-            break;
-        case 1:
-            air = presets::hazy_earth();
-            break;
-        case 2:
-            air = presets::mars();
-            break;
-        case 3:
-            air = presets::airless();
-            break;
-        default:  // a planet of the size of Earth without air, to which everything is added
-            break;
-    }
+    std::vector<std::string_view> choices(presets::names().begin(), presets::names().end());
+    choices.emplace_back("none");  // a planet of the size of Earth without air, to which everything is added
+    const std::size_t preset = section.choice("preset", choices).value_or(0);
+    if (preset + 1 < choices.size()) air = presets::by_name(choices[preset]);
     Planet& planet = air.planet;
     planet.bottom_radius_m = section.number("bottom_radius_m", any).value_or(planet.bottom_radius_m);
     planet.top_radius_m = section.number("top_radius_m", any).value_or(planet.top_radius_m);

@@ -8,19 +8,12 @@
 #define AUREOLE_AERIAL_PERSPECTIVE_GLSL
 
 #include "aerial_perspective/air_before.glsl"
+#include "aerial_perspective/slices.glsl"
 #include "sky_view/sky_view.glsl"
 
 int froxel_layers() { return 1 + SUN_COUNT * sky_view_layers(); }
 
 #ifdef AUREOLE_AERIAL_PERSPECTIVE_TABLE
-// Position of a distance, `share` of the last slice's. Were it just the square root, near geometry would be behind up to
-// last / (4 (n - 1)^2) of air too much: 25 m by default.
-real slice_position(real share, int slices) {
-    real last = real(slices - 1);
-    real slice = min(floor(sqrt(share) * last), last - 1);
-    return (slice + (share * last * last - slice * slice) / (2 * slice + 1)) / last;
-}
-
 vec3 froxel_layer(vec3 position, int layer, ivec3 size, int rows) {
     real row = real(layer * rows) + real(0.5) + clamp_within_layer(position.y * real(rows - 1), rows);
     return vec3(SAMPLE(aerial_perspective_table,

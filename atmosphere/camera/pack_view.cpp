@@ -119,8 +119,8 @@ ViewBlock pack_view(const Camera& camera, std::span<const Sun> suns, const Plane
     pack_rays(camera, up, view);
     pack_suns(suns, up, view);
     const double distance = inputs.aerial_perspective_distance_m * 1e-3;
-    view.froxels = {distance, 1 / distance, 0, 0};
-    view.composite = {inputs.exposure, 0, far_depth(camera), 0};
+    view.froxels = {distance, 1 / distance, 1 / (inputs.shadow_distance_m * 1e-3), inputs.shadowed_sun};
+    view.composite = {inputs.exposure, inputs.sun_lobe_g, far_depth(camera), 0};
     return round_block<ViewBlock>(view);
 }
 

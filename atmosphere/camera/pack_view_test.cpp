@@ -95,7 +95,7 @@ TEST_CASE("pack_view: rays, kinds, froxels") {
     const dvec3 forward(std::cos(0.25) * std::cos(0.5), std::cos(0.25) * std::sin(0.5), std::sin(0.25));
     const dvec3 centre = xyz(view.ray_origin) + 0.5 * xyz(view.ray_x) + 0.5 * xyz(view.ray_y);
     CHECK(glm::length(centre - forward) < 1e-6);
-    CHECK(view.froxels == glm::vec4(32, 1 / 32.0f, 0, 0));
+    CHECK(view.froxels == glm::vec4(32, 1 / 32.0f, 1 / 8.0f, 0));
     CHECK(view.composite == glm::vec4(3, 0, 0, 0));  // reversed depth: the far end is 0
     Camera forward_depth = camera;
     forward_depth.projection = glm::perspectiveRH_ZO(1.0, 1.5, 0.1, 100.0);

@@ -31,6 +31,12 @@ struct QuadratureBlock {
     vec4 running[64];        // M(k, j) = integral from 0 to u_k of the j-th Lagrange polynomial: component j % 4 of [4 k + j / 4]
 };
 
+// A shadow map (shadows.h).
+struct ShadowBlock {
+    vec4 world_to_map[16];  // row r of cascade i: [4 i + r]; from km relative to the camera, world axes
+    vec4 depth;             // x: 1, or -1 if depth falls with the distance from the sun; y: bias; z, w: unused
+};
+
 // A camera, its suns, and what follows from them in double precision on the host.
 struct ViewBlock {
     vec4 camera;        // x: altitude in the air, km (0 .. shell thickness); y, z: unused; w: 1 if the camera is above the
@@ -51,10 +57,10 @@ struct ViewBlock {
     //   The host has turned the vectors for either order of rows.
     vec4 ray_origin, ray_x, ray_y;  // ray_origin.w: kind: 0 matrix, 1 panorama, 2 fisheye
     vec4 depth;         // view depth along the view axis, km = (x * d + y) / (z * d + w), d in [0, 1]; +infinity where d tells nothing
-    vec4 froxels;       // x: distance of the last slice, km; y: 1 / x; z, w: unused
+    vec4 froxels;       // x: distance of the last slice, km; y: 1 / x; z: 1 / distance of the last slice of shadows; w: their sun
     // By sun: what its layers of the tables are multiplied by so that twilight does not vanish in half floats, and the inverse.
     vec4 table_exposure, table_exposure_inverse;
-    vec4 composite;     // x: exposure; y: unused; z: stored depth of the far end, 0 or 1: where nothing was drawn; w: unused
+    vec4 composite;     // x: exposure; y: mean cosine of the suns' lobe; z: stored depth of the far end, 0 or 1: where nothing was drawn; w: unused
     // Suns. direction: world axes, w: cosine of the zenith angle at the camera (mu_s).
     vec4 sun_direction[MAX_SUNS];
     vec4 sun_azimuth[MAX_SUNS];     // unit horizontal vector towards the sun, world axes; w: sine of the zenith angle

@@ -17,15 +17,18 @@ bool same_targets(const CompositeTargets& a, const CompositeTargets& b) noexcept
 
 void validate(const CompositeSettings& settings) {
     check("composite.exposure", settings.exposure, 1e-30, 1e30);
+    check("composite.sun_lobe_g", settings.sun_lobe_g, 0, 0.9999);
     check_enum("composite.target_format", settings.target_format, rhi::Format::d32_float, "a colour format");
     if (settings.target_format == rhi::Format::undefined || settings.target_format == rhi::Format::d32_float)
         reject("composite.target_format", rhi::to_string(settings.target_format), "a colour format");
     check_enum("composite.tone_map", settings.tone_map, ToneMap::aces_fitted, "none or aces_fitted");
 }
 
-CompositePass::CompositePass(ViewResources& shared, const ModelKernels& kernels, const CompositeSettings& settings)
+CompositePass::CompositePass(ViewResources& shared, const ModelKernels& kernels, const ShadowPass& shadows,
+                             const CompositeSettings& settings)
     : shared_(shared),
       kernels_(kernels),
+      shadows_(shadows),
       settings_(settings),
       shader_(settings.raster ? kernels.composite_raster : kernels.composite) {
     prepared_.reserve(max_prepared + 1);
@@ -39,6 +42,8 @@ rhi::Pipeline CompositePass::pipeline(bool given_directions) {
     values.set(18, kernels_.aerial_perspective && settings_.scene_depth);
     values.set(19, settings_.sun_disk).set(20, static_cast<int>(settings_.tone_map)).set(21, settings_.encode_srgb);
     values.set(22, settings_.dither).set(23, given_directions);
+    values.set(37, settings_.sun_lobe_g > 0).set(38, shadows_.enabled());
+    if (shadows_.enabled()) values.set(39, static_cast<int>(shadows_.settings().size.depth));
     return settings_.raster ? shared_.objects.raster(*shader_, values.values(), settings_.target_format)
                             : shared_.objects.compute(*shader_, values.values());
 }
@@ -86,7 +91,8 @@ rhi::BindingSet CompositePass::bind(Objects& objects, const CompositeTargets& ta
                                {7, air.phase_table.handle, air.nearest, {}},
                                {8, or_blank(targets.directions), air.nearest, {}},
                                {9, targets.target, {}, {}},
-                               {10, air.profile_table.handle, air.nearest, {}}});
+                               {10, air.profile_table.handle, air.nearest, {}},
+                               {12, or_blank(shadows_.table().handle), shadows_.enabled() ? air.linear : air.nearest, {}}});
     return objects.bindings("composite", pipeline, bindings_of(*shader_, slots));
 }
 

@@ -9,22 +9,27 @@
 #define AUREOLE_COMPOSITE_GLSL
 
 #include "composite/display.glsl"
+#include "phase/phase.glsl"
+#define AUREOLE_SHADOW_TABLE
+#include "shadows/shadows.glsl"
 
 // A model whose sky differs from pixel to pixel in more than direction says otherwise.
 #ifndef AUREOLE_SKY_RADIANCE
 #define AUREOLE_SKY_RADIANCE(pixel, direction, v, beyond) sky_radiance(direction, v, beyond)
 #endif
 
-// The disk of a sun where the view direction meets it, limb-darkened, before the air.
+// A sun per unit of its irradiance, before the air: its disk where the view direction meets it, limb-darkened; or a lobe of
+// Henyey & Greenstein around it, whose integral over the sphere is 1 too.
 vec3 disk_radiance(int sun, vec3 direction) {
     vec3 apart = direction - vec3(view.sun_direction[sun]);
     real chord = dot(apart, apart);
+    if (SUN_LOBE) return vec3(view.sun_limb[sun].w > 0 ? henyey_greenstein_lobe(view.composite.y, chord) : real(0));
     real mu = sqrt(max(1 - chord * view.sun_disk[sun].w, real(1e-6)));
     vec3 limb = pow(vec3(mu), vec3(view.sun_limb[sun]));
     return chord < view.sun_limb[sun].w ? vec3(view.sun_disk[sun]) * limb : vec3(real(0));
 }
 
-// The disks of all suns, before the air.
+// All suns, before the air.
 vec3 disks(vec3 direction) {
     vec3 radiance = vec3(real(0));
     for (int sun = 0; sun < SUN_COUNT; ++sun) radiance += vec3(view.sun_irradiance[sun]) * disk_radiance(sun, direction);
@@ -56,12 +61,16 @@ vec3 pixel_radiance(ivec2 pixel) {
     }
     if (distance_km < 0) {
         if (SUN_DISK) color += disks(ray.direction);
-        return AUREOLE_SKY_RADIANCE(pixel, ray.direction, v, color);
+        color = AUREOLE_SKY_RADIANCE(pixel, ray.direction, v, color);
+        if (SHADOWS && !GIVEN_DIRECTIONS) color = max(color - shadow_loss(x, y, real(-1), ray.direction), vec3(real(0)));
+        return color;
     }
     if (!AERIAL_PERSPECTIVE) return color;
     real entry = distance_to_air(v);
     if (entry < 0 || distance_km < entry) return color;
     AerialPerspective air = aerial_perspective(x, y, distance_km - entry, ray.direction);
+    if (SHADOWS && !GIVEN_DIRECTIONS)
+        air.radiance = max(air.radiance - shadow_loss(x, y, distance_km - entry, ray.direction), vec3(real(0)));
     return color * air.transmittance + air.radiance;
 }
 

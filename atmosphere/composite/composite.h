@@ -2,6 +2,7 @@
 #pragma once
 
 #include "models/model.h"
+#include "shadows/shadows.h"
 
 #include <memory>
 #include <vector>
@@ -12,7 +13,8 @@ void validate(const CompositeSettings& settings);
 
 class CompositePass {
 public:
-    CompositePass(ViewResources& shared, const ModelKernels& kernels, const CompositeSettings& settings);
+    CompositePass(ViewResources& shared, const ModelKernels& kernels, const ShadowPass& shadows,
+                  const CompositeSettings& settings);
 
     /// Makes bindings for these textures, and forgets the longest unused ones beyond `max_prepared`.
     void prepare(const CompositeTargets& targets);
@@ -40,6 +42,7 @@ private:
 
     ViewResources& shared_;
     const ModelKernels& kernels_;
+    const ShadowPass& shadows_;
     CompositeSettings settings_;
     const rhi::Shader* shader_;
     rhi::Pipeline pipelines_[2];  // camera rays, given directions (made when first prepared)

@@ -1,5 +1,5 @@
 // What every composite kernel reads, whichever model's sky it shows. Slots 2 to 4 and from 10 on are the model's: 10 the profile
-// table (AUREOLE_PROFILE_TABLE), if it marches.
+// table (AUREOLE_PROFILE_TABLE), if it marches; 12 is taken.
 #ifndef AUREOLE_COMPOSITE_INPUTS_GLSL
 #define AUREOLE_COMPOSITE_INPUTS_GLSL
 
@@ -14,6 +14,7 @@ UNIFORMS(1, ViewBlock, view)
 SAMPLER_2D(5, scene_color)
 SAMPLER_2D(6, scene_depth)
 SAMPLER_2D(8, directions)
+SAMPLER_2D(12, shadow_table)
 
 SPEC_BOOL(16, SCENE_COLOR, false)
 SPEC_BOOL(17, SCENE_DEPTH, false)
@@ -23,6 +24,8 @@ SPEC_INT(20, TONE_MAP, 0)  // 0 none, 1 ACES as fitted by Hill
 SPEC_BOOL(21, ENCODE_SRGB, false)
 SPEC_BOOL(22, DITHER, false)
 SPEC_BOOL(23, GIVEN_DIRECTIONS, false)
+SPEC_BOOL(37, SUN_LOBE, false)  // in place of disks
+SPEC_BOOL(38, SHADOWS, false)   // ViewSettings::shadows
 
 struct CompositeTarget {
     vec4 size;  // x, y: width and height of the target; z: frame number, for the dither

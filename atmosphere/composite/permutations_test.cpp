@@ -59,6 +59,7 @@ CompositeSettings composite_of(const Permutation& p) {
     settings.scene_color = p[color] == 1;
     settings.scene_depth = p[depth] == 1;
     settings.sun_disk = p[disk] == 1;
+    settings.sun_lobe_g = p[tone] == 1 ? 0.9 : 0;  // as the tone map, so that there is no choice more
     settings.tone_map = p[tone] == 1 ? ToneMap::aces_fitted : ToneMap::none;
     settings.encode_srgb = p[srgb] == 1;
     settings.dither = p[dither] == 1;
@@ -71,6 +72,7 @@ ViewSettings view_of(const Permutation& p) {
     settings.max_suns = static_cast<std::uint32_t>(p[suns] + 1);
     settings.aerial_perspective = p[froxels] == 1;
     settings.light = p[light] == 1;
+    settings.shadows.cascades = p[light] == 1 ? 2 : 0;  // as the light
     return settings;
 }
 
@@ -93,12 +95,14 @@ struct Tables {
           block(objects->constants("view", sizeof(detail::ViewBlock))),
           shared{*objects, air.shared, block, settings.max_suns, settings.projection},
           model(air.model->make_view(shared, settings)),
-          light(shared, model->kernels(), settings.light) {}
+          light(shared, model->kernels(), settings.light),
+          shadows(shared, model->kernels(), settings.shadows, air.model->transmittance_table()) {}
     std::unique_ptr<detail::Objects> objects;
     detail::TrackedBuffer block;
     detail::ViewResources shared;
     std::unique_ptr<detail::ModelView> model;
     detail::LightPass light;
+    detail::ShadowPass shadows;
 };
 
 /// The host's textures for every permutation: one of each kind, of one size.
@@ -209,7 +213,7 @@ TEST_CASE("composite: every permutation is a pipeline of the CPU device") {
             Tables tables(*air.impl().tables, view_of(p));
             for_all(p, format, directions, [&] {
                 if (!takes(backend->device(), p[format], p[raster] == 1)) return;
-                detail::CompositePass pass(tables.shared, tables.model->kernels(), composite_of(p));
+                detail::CompositePass pass(tables.shared, tables.model->kernels(), tables.shadows, composite_of(p));
                 for (p[directions] = 0; p[directions] < 2; ++p[directions]) {
                     const CompositeTargets targets = host.targets(p);
                     pass.prepare(targets);
@@ -240,7 +244,7 @@ TEST_CASE("composite: on Vulkan every two choices meet in a pipeline that draws"
         const Permutation p = covering.next();
         INFO(name_of(p));
         Tables tables(*airs[p[quality]]->impl().tables, view_of(p));
-        detail::CompositePass pass(tables.shared, tables.model->kernels(), composite_of(p));
+        detail::CompositePass pass(tables.shared, tables.model->kernels(), tables.shadows, composite_of(p));
         const CompositeTargets targets = host.targets(p);
         pass.prepare(targets);
         // What stands in the tables of such a view, and what is shown then, other tests look at.
@@ -251,6 +255,7 @@ TEST_CASE("composite: on Vulkan every two choices meet in a pipeline that draws"
         backend->run([&](rhi::CommandList& commands) {
             detail::update_block(commands, tables.block, detail::ViewBlock{});
             tables.model->record(commands, reports, {});
+            if (tables.shadows.enabled()) tables.shadows.record(commands, {}, report, {}, 2);
             pass.record(commands, targets, 0, report, {}, 3);
         });
         CHECK(report.recorded);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 namespace aureole::detail {
 namespace {
@@ -117,6 +118,10 @@ std::vector<DensityTerm> tabulated(const AtmosphereParameters& parameters, const
 
 std::vector<DensityTerm> merged_terms(const AtmosphereParameters& parameters) {
     std::vector<DensityTerm> terms = parameters.terms;
+    for (DensityTerm& term : terms) {  // from here on coefficients are what acts
+        term.scattering_per_m *= std::exchange(term.scattering_scale, 1.0);
+        term.absorption_per_m *= std::exchange(term.absorption_scale, 1.0);
+    }
     std::erase_if(terms, [](const DensityTerm& term) { return !scatters(term) && !absorbs(term); });
     if (terms.size() > max_kernel_terms) terms = added_up(terms);
     // Each phase function's scattering and the absorption, in three channels.

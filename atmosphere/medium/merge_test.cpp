@@ -95,3 +95,27 @@ TEST_CASE("merged terms: any number becomes few tables of the same air") {
         for (int c = 0; c < 3; ++c) CHECK(vertical_optical_depth(air)[c] == doctest::Approx(depth[c]).epsilon(1e-5));
     }
 }
+
+TEST_CASE("merged terms: artists' factors act as coefficients of that size, and 1 changes nothing") {
+    const AtmosphereParameters plain = many_terms(5, 2);
+    AtmosphereParameters scaled = plain, written = plain;
+    for (DensityTerm& term : scaled.terms) term.scattering_scale = 0.75, term.absorption_scale = 4;  // exact in binary
+    for (DensityTerm& term : written.terms) term.scattering_per_m *= 0.75, term.absorption_per_m *= 4.0;
+    CHECK(merged_terms(scaled) == merged_terms(written));
+    CHECK_FALSE(merged_terms(scaled) == merged_terms(plain));
+    const MediumSample sample = sample_medium(scaled, 1000), expected = sample_medium(written, 1000);
+    CHECK(sample.scattering_per_m == expected.scattering_per_m);
+    CHECK(sample.extinction_per_m == expected.extinction_per_m);
+    // What is scaled to nothing takes no room, nor a phase function.
+    AtmosphereParameters off = many_terms(20, 4);
+    off.terms.resize(4);
+    off.terms.push_back({.name = "fifth",
+                         .profile = ExponentialProfile{},
+                         .scattering_per_m = Rgb(1e-6),
+                         .absorption_per_m = Rgb(0),
+                         .phase = HenyeyGreensteinPhase{0.99}});
+    CHECK_THROWS_AS(validate(off), Error);
+    off.terms.back().scattering_scale = 0;
+    CHECK_NOTHROW(validate(off));
+    CHECK(merged_terms(off).size() == 4);
+}

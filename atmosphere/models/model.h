@@ -29,6 +29,7 @@ struct ModelKernels {
     std::vector<rhi::Binding> tables;                 ///< Of the model; each kernel takes those that it has slots for.
     std::vector<rhi::Specialization> specialization;  ///< Beyond ViewResources::specialize.
     bool aerial_perspective = true;                   ///< False: geometry is left as it is.
+    bool shadows = true;                              ///< Its light is single scattering of the air's terms, and more.
 };
 
 /// What a model keeps for a camera.

@@ -1,10 +1,12 @@
 #include "module/air.h"
 #include "module/requirements.h"
 
+#include "aerial_perspective/aerial_perspective.h"
 #include "camera/pack_view.h"
 #include "common/check.h"
 #include "composite/composite.h"
 #include "light/light.h"
+#include "shadows/shadows.h"
 
 #include <aureole/rhi/log.h>
 
@@ -20,18 +22,23 @@ namespace {
 
 /// All device objects of a view that depend on the air.
 struct ViewTables {
-    ViewTables(AirTables& air, const ViewSettings& settings, const CompositeSettings& composite_settings)
+    ViewTables(AirTables& air, const ViewSettings& settings, const CompositeSettings& composite_settings,
+               rhi::Texture shadow_map)
         : objects(air.objects.sibling()),
           block_buffer(objects->constants("view", sizeof(ViewBlock))),
           shared{*objects, air.shared, block_buffer, settings.max_suns, settings.projection},
           model(air.model->make_view(shared, settings)),
           light(shared, model->kernels(), settings.light),
-          composite(shared, model->kernels(), composite_settings) {}
+          shadows(shared, model->kernels(), settings.shadows, air.model->transmittance_table()),
+          composite(shared, model->kernels(), shadows, composite_settings) {
+        if (shadow_map) shadows.use_map(shadow_map);
+    }
 
     void invalidate() noexcept {
         forget(block_buffer);
         model->invalidate();
         light.invalidate();
+        shadows.invalidate();
     }
 
     std::unique_ptr<Objects> objects;
@@ -39,6 +46,7 @@ struct ViewTables {
     ViewResources shared;
     std::unique_ptr<ModelView> model;
     LightPass light;
+    ShadowPass shadows;
     CompositePass composite;
 };
 
@@ -46,6 +54,7 @@ void check_view(const ViewSettings& settings) {
     check_enum("view.projection", settings.projection, Projection::fisheye, "matrix, panorama or fisheye");
     check("view.max_suns", settings.max_suns, 1, max_suns);
     check("view.aerial_perspective_distance_m", settings.aerial_perspective_distance_m, 1e-3, 1e13);
+    validate(settings.shadows);
 }
 
 bool same_block(const ViewBlock& a, const ViewBlock& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
@@ -67,8 +76,9 @@ struct View::Impl final : detail::AirUser {
         detail::check_view(settings);
         detail::validate(composite);
         detail::require_target(air.device, composite);
-        tables = std::make_unique<detail::ViewTables>(*air.tables, settings, composite);
+        tables = std::make_unique<detail::ViewTables>(*air.tables, settings, composite, shadow_map.texture);
         for (const std::string_view name : tables->model->passes()) reports.emplace_back().name = name;
+        if (tables->shadows.enabled()) reports.emplace_back().name = "shadows";
         reports.emplace_back().name = "light";
         reports.emplace_back().name = "composite";
         suns.reserve(settings.max_suns);
@@ -79,7 +89,7 @@ struct View::Impl final : detail::AirUser {
     Impl& operator=(const Impl&) = delete;
 
     void prepare(detail::AirTables& new_air) override {
-        pending = std::make_unique<detail::ViewTables>(new_air, settings, composite);
+        pending = std::make_unique<detail::ViewTables>(new_air, settings, composite, shadow_map.texture);
         pending->composite.prepare_as(tables->composite);
     }
     void commit() noexcept override {
@@ -89,8 +99,9 @@ struct View::Impl final : detail::AirUser {
     void abandon() noexcept override { pending.reset(); }
     void stale() noexcept {
         tables->model->restart();
-        light_stale = block_stale = true;
+        light_stale = block_stale = shadows_stale = true;
     }
+    [[nodiscard]] std::size_t shadow_pass() const noexcept { return reports.size() - 3; }  // if there is one
     [[nodiscard]] std::size_t light_pass() const noexcept { return reports.size() - 2; }
     [[nodiscard]] std::size_t composite_pass() const noexcept { return reports.size() - 1; }
 
@@ -99,12 +110,15 @@ struct View::Impl final : detail::AirUser {
         stale();
     }
     void refresh() override {
-        if (updated) use(pack(camera, suns));
+        if (updated) use(pack(camera, suns), camera);
     }
     [[nodiscard]] detail::ViewBlock pack(const Camera& by, std::span<const Sun> lit) const {
         detail::ViewInputs inputs;
         inputs.aerial_perspective_distance_m = settings.aerial_perspective_distance_m;
         inputs.exposure = composite.exposure;
+        inputs.sun_lobe_g = composite.sun_lobe_g;
+        inputs.shadow_distance_m = settings.shadows.distance_m;
+        inputs.shadowed_sun = shadow_map.sun;
         validate(by);
         if (by.kind != settings.projection)
             detail::reject(
@@ -123,7 +137,12 @@ struct View::Impl final : detail::AirUser {
                 detail::print(distance), detail::print(radius));
         deep = is_deep;
     }
-    void use(const detail::ViewBlock& fresh) {
+    void use(const detail::ViewBlock& fresh, const Camera& by) {
+        if (tables->shadows.enabled()) {
+            const detail::ShadowBlock shadows = detail::pack_shadows(shadow_map, settings.shadows.cascades, by.position_m);
+            shadows_stale |= std::memcmp(&shadows, &shadow_block, sizeof shadows) != 0 || !detail::same_froxels(fresh, block);
+            shadow_block = shadows;
+        }
         block_stale |= !detail::same_block(fresh, block);
         tables->model->update(block, fresh);
         light_stale |= !detail::same_block(detail::for_light(fresh), detail::for_light(block));
@@ -137,7 +156,9 @@ struct View::Impl final : detail::AirUser {
     detail::ViewBlock block{};
     bool updated = false;
     bool deep = false;  // the camera is nearer to the planet's centre than to its ground
-    bool light_stale = true, block_stale = true;
+    bool light_stale = true, block_stale = true, shadows_stale = true;
+    ShadowMap shadow_map;
+    detail::ShadowBlock shadow_block{};
     std::uint64_t air_version = 0;
     Camera camera;
     std::vector<Sun> suns;
@@ -151,7 +172,7 @@ View::~View() = default;
 void View::update(const Camera& camera, std::span<const Sun> suns) {
     Impl& impl = *impl_;
     detail::check_count("suns", suns.size(), 0, impl.settings.max_suns);
-    impl.use(impl.pack(camera, suns));
+    impl.use(impl.pack(camera, suns), camera);
     impl.tell_if_deep(camera);
     impl.camera = camera;
     impl.suns.assign(suns.begin(), suns.end());
@@ -164,6 +185,15 @@ void View::set_exposure(double exposure) {
     detail::validate(changed);
     impl_->composite = changed;
     impl_->refresh();
+}
+
+void View::set_shadow_map(const ShadowMap& map) {
+    Impl& impl = *impl_;
+    detail::validate(map, impl.settings.shadows, impl.settings.max_suns, impl.air.device);
+    impl.tables->shadows.use_map(map.texture);
+    impl.shadow_map = map;
+    impl.shadows_stale = true;  // what it shows is another picture, as far as anyone knows
+    impl.refresh();
 }
 
 void View::record(rhi::CommandList& commands, TimestampSlots timestamps) {
@@ -182,10 +212,15 @@ void View::record(rhi::CommandList& commands, TimestampSlots timestamps) {
     impl.air_version = impl.air.tables->version;
     if (impl.block_stale) detail::update_block(commands, tables.block_buffer, impl.block);
     tables.model->record(commands, impl.reports, timestamps);
+    if (impl.shadows_stale && tables.shadows.enabled()) {
+        const std::size_t shadows = impl.shadow_pass();
+        tables.shadows.record(commands, impl.shadow_block, impl.reports[shadows], timestamps,
+                              static_cast<std::uint32_t>(shadows));
+    }
     const std::size_t light = impl.light_pass();
     if (impl.light_stale && tables.light.enabled())
         tables.light.record(commands, impl.reports[light], timestamps, static_cast<std::uint32_t>(light));
-    impl.light_stale = impl.block_stale = false;
+    impl.light_stale = impl.block_stale = impl.shadows_stale = false;
 }
 
 void View::invalidate() noexcept { impl_->invalidate(); }

@@ -1,4 +1,8 @@
 #include <aureole/presets.h>
+#include <aureole/spectrum.h>
+
+#include <array>
+#include <string>
 
 namespace aureole::presets {
 namespace {
@@ -50,12 +54,54 @@ AtmosphereParameters airless() {
     return {.planet = {.bottom_radius_m = 1737.4e3, .top_radius_m = 1747.4e3, .ground_albedo = Rgb(0.11)}, .terms = {}};
 }
 
+AtmosphereParameters us_standard_1976() { return spectrum::earth({680, 550, 440}); }
+
+AtmosphereParameters titan() {
+    constexpr double molecules_per_m3 = 146700 / (1.380649e-23 * 93.65);
+    constexpr double amagat = 2.6868e25;  // molecules in a cubic metre at 0 degrees and 1 atm
+    const auto scattering = [](double nm) { return molecules_per_m3 * spectrum::rayleigh_cross_section(nm); };
+    DensityTerm methane{.name = "methane",
+                        .profile = ExponentialProfile{12e3},
+                        .scattering_per_m = Rgb(0),
+                        .absorption_per_m = Rgb(0.1, 0.02, 0.002) * (1e-3 * 0.0565 * molecules_per_m3 / amagat),
+                        .phase = RayleighPhase{}};
+    // Optical depth 4, 6, 9 of which 0.95, 0.87, 0.72 scatters.
+    constexpr double haze_height = 50e3;
+    const Rgb haze = Rgb(4, 6, 9) / haze_height, albedo(0.95, 0.87, 0.72);
+    return {.planet = {.bottom_radius_m = 2574.7e3, .top_radius_m = 3174.7e3, .ground_albedo = {0.2, 0.15, 0.1}},
+            .terms = {rayleigh({scattering(680), scattering(550), scattering(440)}, 20e3), methane,
+                      aerosol("haze", haze * albedo, haze * (Rgb(1) - albedo), haze_height, 0.6)}};
+}
+
+namespace {
+
+struct Entry {
+    std::string_view name;
+    AtmosphereParameters (*make)();
+};
+constexpr std::array entries{Entry{"earth", earth},
+                             Entry{"hazy_earth", hazy_earth},
+                             Entry{"mars", mars},
+                             Entry{"airless", airless},
+                             Entry{"us_standard_1976", us_standard_1976},
+                             Entry{"titan", titan}};
+constexpr auto all_names = [] {
+    std::array<std::string_view, entries.size()> result;
+    for (std::size_t i = 0; i < entries.size(); ++i) result[i] = entries[i].name;
+    return result;
+}();
+
+}  // namespace
+
+std::span<const std::string_view> names() { return all_names; }
+
 AtmosphereParameters by_name(std::string_view name) {
-    if (name == "earth") return earth();
-    if (name == "hazy_earth") return hazy_earth();
-    if (name == "mars") return mars();
-    if (name == "airless") return airless();
-    throw Error(ErrorCode::invalid_argument, "preset", "\"" + std::string(name) + "\"", "earth, hazy_earth, mars or airless");
+    std::string known;
+    for (const Entry& entry : entries) {
+        if (entry.name == name) return entry.make();
+        known.append(known.empty() ? "" : ", ").append(entry.name);
+    }
+    throw Error(ErrorCode::invalid_argument, "preset", "\"" + std::string(name) + "\"", "one of " + known);
 }
 
 }  // namespace aureole::presets

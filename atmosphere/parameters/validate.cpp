@@ -3,6 +3,7 @@
 #include "common/check.h"
 #include "phase/distinct.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -70,10 +71,19 @@ struct PhaseCheck {
     }
 };
 
+void check_scale(const std::string& field, double scale, const Rgb& coefficient) {
+    check(field, scale, 0, 1e6);
+    const double greatest = std::max({coefficient.r, coefficient.g, coefficient.b});
+    if (scale * greatest > 1e6)
+        reject(field, print(scale), "a product of at most 1e6 1/m with the coefficient, " + print(greatest));
+}
+
 void check_term(const std::string& field, const DensityTerm& term) {
     std::visit(ProfileCheck{field + ".profile"}, term.profile);
     check_rgb(field + ".scattering_per_m", term.scattering_per_m, 0, 1e6);
     check_rgb(field + ".absorption_per_m", term.absorption_per_m, 0, 1e6);
+    check_scale(field + ".scattering_scale", term.scattering_scale, term.scattering_per_m);
+    check_scale(field + ".absorption_scale", term.absorption_scale, term.absorption_per_m);
     check_phase(field + ".phase", term.phase);
 }
 

@@ -146,7 +146,22 @@ TEST_CASE("validate: every coefficient") {
                           {-1e-12, 1.1e6},
                           {0, 1e6}});
     }
+    fields.push_back({"terms[1].scattering_scale",
+                      [](auto& p, double v) { p.terms[1].scattering_scale = v; },
+                      {-1e-12, 1.1e6},
+                      {0, 1, 1e6}});
+    fields.push_back({"terms[2].absorption_scale",
+                      [](auto& p, double v) { p.terms[2].absorption_scale = v; },
+                      {-1e-12, 1.1e6},
+                      {0, 1, 1e6}});
     check_all(fields);
+    // The product must fit as well.
+    const auto scaled = [](double coefficient, double scale) {
+        return rejected(
+            [&](auto& p) { p.terms[1].scattering_per_m = Rgb(0, coefficient, 0), p.terms[1].scattering_scale = scale; });
+    };
+    CHECK(scaled(0.6e6, 2) == "terms[1].scattering_scale");
+    CHECK(scaled(0.5e6, 2) == "nothing");
 }
 
 TEST_CASE("validate: every field of every phase function, also where nothing scatters") {

@@ -4,7 +4,7 @@
 
 namespace aureole::detail {
 
-bool scatters(const DensityTerm& term) { return term.scattering_per_m != Rgb(0); }
+bool scatters(const DensityTerm& term) { return term.scattering_per_m * term.scattering_scale != Rgb(0); }
 
 std::vector<PhaseFunction> distinct_phases(const std::vector<DensityTerm>& terms) {
     std::vector<PhaseFunction> phases;

@@ -28,11 +28,13 @@ real rayleigh_phase(real nu) { return real(3) / (real(16) * PI) * (1 + nu * nu);
 //
 // 1 + g^2 - 2 g nu cancels where the lobe peaks: nu -> 1 for g -> 1, nu -> -1 for g -> -1. With a = |g| and m = nu or -nu, the
 // cosine from the peak, it equals (1 - a)^2 + 2 a (1 - m): a sum of two terms that are both exact to rounding there.
-real henyey_greenstein_phase(real g, real nu) {
-    real a = abs(g);
-    real m = g < 0 ? -nu : nu;
-    real d = (1 - a) * (1 - a) + 2 * a * (1 - m);
+real henyey_greenstein_lobe(real a, real chord2) {  // by 2 (1 - m), the squared chord of unit vectors
+    real d = (1 - a) * (1 - a) + a * chord2;
     return (1 - a) * (1 + a) / (4 * PI * (d * sqrt(d)));
+}
+real henyey_greenstein_phase(real g, real nu) {
+    real m = g < 0 ? -nu : nu;
+    return henyey_greenstein_lobe(abs(g), 2 * (1 - m));
 }
 
 // Draine 2003: Henyey-Greenstein times 1 + alpha nu^2. Since nu^2 = (1 + 2 P_2(nu)) / 3 and the l = 2 moment of Henyey-Greenstein

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 #include <variant>
 
@@ -41,6 +42,11 @@ ViewSettings view_settings(const Scene& scene, bool land) {
     settings.aerial_perspective = land;
     settings.aerial_perspective_distance_m = scene.aerial_perspective_distance_m;
     settings.light = false;
+    if (land && scene.terrain->air_shadows_m > 0 && !scene.suns.empty()) {
+        settings.shadows.cascades = TerrainShadows::cascades;
+        settings.shadows.distance_m = scene.terrain->air_shadows_m;
+        settings.shadows.size = {96, 64, 42};
+    }
     return settings;
 }
 
@@ -84,8 +90,21 @@ struct FrameRenderer::Target : Canvas {
         : Canvas(backend_in, composite_in, extent),
           backend(backend_in),
           composite(composite_in),
+          shadowed(settings.shadows.cascades > 0),
           view(air, settings, composite) {
         view.prepare_composite(targets);
+    }
+
+    void give_shadows(const TerrainShadows& shadows) {
+        constexpr std::uint32_t side = TerrainShadows::side;
+        const rhi::State before = shadow_map.texture ? rhi::State::sampled : rhi::State::undefined;
+        if (!shadow_map.texture)
+            shadow_map.texture =
+                textures.create("shadow map", rhi::Format::r32_float, {side * TerrainShadows::cascades, side, 1},
+                                rhi::Usage::sampled | rhi::Usage::copy_destination);
+        textures.upload(shadow_map.texture, std::as_bytes(std::span(shadows.depth)), before, rhi::State::sampled);
+        std::copy(shadows.world_to_map.begin(), shadows.world_to_map.end(), shadow_map.world_to_map.begin());
+        view.set_shadow_map(shadow_map);
     }
 
     /// Every pass of the view once, for a small picture that nobody sees, by a camera that is none of the scene's.
@@ -116,7 +135,9 @@ struct FrameRenderer::Target : Canvas {
 
     Backend& backend;
     CompositeSettings composite;
+    bool shadowed;
     View view;
+    ShadowMap shadow_map;
 };
 
 FrameRenderer::FrameRenderer(Backend& backend, const Scene& scene, const Land* land, const FrameOptions& options)
@@ -136,6 +157,7 @@ FrameRenderer::FrameRenderer(Backend& backend, const Scene& scene, const Land* l
     CompositeSettings shown = composite;
     shown.raster = options.raster;
     shown.sun_disk = scene.sun_disk;
+    shown.sun_lobe_g = scene.sun_lobe_g;
     shown.target_format = options.linear ? rhi::Format::rgba32_float : rhi::Format::rgba8_unorm;
     if (!options.linear) {
         shown.tone_map = ToneMap::aces_fitted;
@@ -208,6 +230,9 @@ Frame FrameRenderer::render(const std::vector<Sun>& suns, std::uint64_t number) 
     if (light) {
         const TerrainPicture land = land_->cast(camera, *light, width, height);
         target.give_land(land.rgba, land.depth);
+        if (target.shadowed)
+            target.give_shadows(
+                land_->cast_shadows(camera, glm::normalize(suns.front().direction), scene_.terrain->air_shadows_m));
     }
     target.view.set_exposure(frame.exposure);
     target.view.update(camera, suns);

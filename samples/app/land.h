@@ -3,6 +3,7 @@
 
 #include "app/backend.h"
 #include "scene/scene.h"
+#include "terrain/shadow_map.h"
 #include "terrain/terrain.h"
 
 #include <aureole/atmosphere.h>
@@ -23,6 +24,11 @@ public:
     [[nodiscard]] TerrainLight measure_light(Backend& backend, Atmosphere& air, const std::vector<Sun>& suns) const;
     [[nodiscard]] TerrainPicture cast(const Camera& camera, const TerrainLight& light, std::uint32_t width,
                                       std::uint32_t height) const;
+
+    /// Shadow map around the camera for a light in this direction (unit, world axes).
+    [[nodiscard]] TerrainShadows cast_shadows(const Camera& camera, const glm::dvec3& towards_light, double reach_m) const {
+        return app::cast_shadows(*caster_, camera.position_m, towards_light, reach_m);
+    }
 
 private:
     double bottom_radius_m_;

@@ -59,6 +59,7 @@ SceneTerrain read_terrain(Section section, const std::filesystem::path& folder) 
     terrain.camera_east_m = section.number("camera_east_m", {-1e6, 1e6}).value_or(0);
     terrain.camera_north_m = section.number("camera_north_m", {-1e6, 1e6}).value_or(0);
     terrain.range_m = section.number("range_m", {100, 1e6}).value_or(terrain.range_m);
+    terrain.air_shadows_m = section.number("air_shadows_m", {0, 1e6}).value_or(0);
     terrain.albedo = section.rgb("albedo", {0, 1});
     section.finish();
     return terrain;
@@ -87,6 +88,7 @@ Scene read_root(Section root, const std::filesystem::path& folder) {
     read_size(root, scene);
     read_exposure(root, scene.exposure);
     scene.sun_disk = root.boolean("sun_disk").value_or(true);
+    scene.sun_lobe_g = root.number("sun_lobe_g", {0, 0.9999}).value_or(0);
     if (const auto model = root.choice("model", model_names())) scene.model.name = model_names()[*model];
     if (const auto quality = root.choice("quality", quality_names())) scene.model.quality = quality_names()[*quality];
     scene.aerial_perspective_distance_m =

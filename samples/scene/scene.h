@@ -46,6 +46,7 @@ struct SceneTerrain {
     double vertical_exaggeration = 1;
     double camera_east_m = 0, camera_north_m = 0;  ///< Of the camera, from the middle of the map.
     double range_m = 250e3;                        ///< How far from the camera terrain is looked for.
+    double air_shadows_m = 0;                      ///< How far from the camera the land shadows the air; 0: not at all.
     std::optional<Rgb> albedo;                     ///< None: fields, forest and rock by slope and altitude.
 };
 
@@ -72,6 +73,7 @@ struct Scene {
     SceneCamera camera;
     SceneExposure exposure;
     bool sun_disk = true;
+    double sun_lobe_g = 0;  ///< CompositeSettings::sun_lobe_g
     SceneModel model;
     double aerial_perspective_distance_m = 96000;
     std::uint32_t width = 1280, height = 720;

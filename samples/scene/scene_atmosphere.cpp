@@ -121,6 +121,8 @@ void read_term(Section section, AtmosphereParameters& air, Origins& origins) {
     origins.insert_or_assign(field, section);
     term->scattering_per_m = section.rgb("scattering_per_m", any).value_or(term->scattering_per_m);
     term->absorption_per_m = section.rgb("absorption_per_m", any).value_or(term->absorption_per_m);
+    term->scattering_scale = section.number("scattering_scale", any).value_or(term->scattering_scale);
+    term->absorption_scale = section.number("absorption_scale", any).value_or(term->absorption_scale);
     if (const auto profile = section.section("profile")) {
         origins.insert_or_assign(field + ".profile", *profile);
         term->profile = read_profile(*profile);
@@ -155,23 +157,10 @@ void read_term(Section section, AtmosphereParameters& air, Origins& origins) {
 
 AtmosphereParameters read_atmosphere(Section section) {
     AtmosphereParameters air;
-    const auto preset = section.choice("preset", {"earth", "hazy_earth", "mars", "airless", "none"});
-    switch (preset.value_or(0)) {
-        case 0:
-            air = presets::earth();
-            break;
-        case 1:
-            air = presets::hazy_earth();
-            break;
-        case 2:
-            air = presets::mars();
-            break;
-        case 3:
-            air = presets::airless();
-            break;
-        default:  // a planet of the size of Earth without air, to which everything is added
-            break;
-    }
+    std::vector<std::string_view> choices(presets::names().begin(), presets::names().end());
+    choices.emplace_back("none");  // a planet of the size of Earth without air, to which everything is added
+    const std::size_t preset = section.choice("preset", choices).value_or(0);
+    if (preset + 1 < choices.size()) air = presets::by_name(choices[preset]);
     Planet& planet = air.planet;
     planet.bottom_radius_m = section.number("bottom_radius_m", any).value_or(planet.bottom_radius_m);
     planet.top_radius_m = section.number("top_radius_m", any).value_or(planet.top_radius_m);

@@ -234,8 +234,8 @@ TEST_CASE("read_scene: the height map is named from the scene's folder") {
 
 TEST_CASE("the scenes that come with the application") {
     const std::filesystem::path folder = AUREOLE_SCENES;
-    for (const char* name :
-         {"noon", "golden_hour", "twilight", "altitude_10km", "low_orbit", "mars", "methane", "terrain_near", "terrain_far"}) {
+    for (const char* name : {"noon", "golden_hour", "twilight", "altitude_10km", "low_orbit", "mars", "methane", "terrain_near",
+                             "terrain_far", "terrain_shafts", "moonlight"}) {
         CAPTURE(name);
         CHECK(complaint([&] { (void)read_scene(folder / (std::string(name) + ".toml")); }) == "nothing");
     }

@@ -9,7 +9,9 @@ namespace aureole::passes {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr const char* presets_in_use[] = {"earth", "hazy_earth", "mars", "airless"};
+// Not titan: in its air light is scattered dozens of times, which multiplies the rounding of floats beyond the bounds of the
+// others.
+constexpr const char* presets_in_use[] = {"earth", "hazy_earth", "mars", "airless", "us_standard_1976"};
 constexpr double elevations[] = {90, 45, 10, 3, 0.5, 0, -0.5, -3, -6, -9, -12};
 
 }  // namespace

@@ -56,7 +56,7 @@ public:
     View view;
 };
 
-/// Every preset by name.
+/// The presets by name that every pass is compared for.
 [[nodiscard]] std::span<const char* const> preset_names();
 
 /// The sun at an elevation, towards +x, seen from the +z pole.

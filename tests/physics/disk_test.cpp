@@ -108,3 +108,60 @@ TEST_CASE("sun disk: half of it is left when its centre is on the horizon, none 
         CHECK(std::abs(with.light()[9].g - expected) < 1e-3);
     }
 }
+
+namespace {
+
+SkyOptions with_lobe(double g) {
+    SkyOptions options = with_disk(true);
+    options.sun_lobe_g = g;
+    return options;
+}
+
+/// Share of a Henyey-Greenstein lobe within the squared chord c from its middle: the integral of (1 - g^2) / (4 pi d^1.5) pi dc
+/// with d = (1 - g)^2 + g c. 1 for c = 4, the whole sphere.
+double share_within(double g, double c) { return (1 + g) / (2 * g) * (1 - (1 - g) / std::sqrt((1 - g) * (1 - g) + g * c)); }
+
+}  // namespace
+
+TEST_CASE("sun lobe: without air its integral is the sun's irradiance, as far as directions are not below the horizon") {
+    for (const double g : {0.5, 0.9, 0.999, 0.9999}) {
+        CAPTURE(g);
+        Sky sky(cpu_float(), presets::airless(), with_lobe(g));
+        Sun sun = sun_of(0, 0.004675, LimbDarkening::neckel94);
+        sun.irradiance = {1, 20, 300};
+        sky.stand(2, sun);
+        CHECK(share_within(g, 4) == doctest::Approx(1));
+        // Rings of squared chord c about the zenith; c = w (e^s - 1) spreads a peak of width w = (1 - g)^2 / g.
+        const double width = (1 - g) * (1 - g) / g, edge = 1.9;
+        std::vector<glm::dvec3> directions;
+        std::vector<double> weights;
+        for (const Node& s : gauss_nodes(0, std::log1p(edge / width))) {
+            const double c = width * std::expm1(s.at);
+            directions.push_back(direction(2 * std::asin(std::sqrt(c) / 2), 0.7));
+            weights.push_back(pi * (c + width) * s.weight);
+        }
+        const std::vector<Rgb> seen = sky.radiance(directions);
+        Rgb sum(0);
+        for (std::size_t i = 0; i < seen.size(); ++i) sum += weights[i] * seen[i];
+        check_rgb(sum, share_within(g, edge) * sun.irradiance, 2e-4);
+        check_rgb(Rgb(sky.light()[9]), sun.irradiance, 1e-6);
+    }
+}
+
+TEST_CASE("sun lobe: seen through the air as the disk is; a sun without a disk has none") {
+    const double g = 0.99;
+    Sky lobe(cpu_float(), presets::earth(), with_lobe(g)), disk(cpu_float(), presets::earth(), with_disk(true)),
+        none(cpu_float(), presets::earth(), with_disk(false));
+    for (const double zenith : {10.0, 80.0}) {
+        const Sun sun = sun_of(zenith * degree, 0.004675, LimbDarkening::none);
+        for (Sky* sky : {&lobe, &disk, &none}) sky->stand(500, sun);
+        const Rgb sky = none.radiance(sun.direction);
+        // Both in the middle: (1 + g) / (4 pi (1 - g)^2) against 1 / (pi C).
+        const double chord = 2 * std::sin(sun.angular_radius_rad / 2);
+        const double ratio = (1 + g) / (4 * (1 - g) * (1 - g)) * chord * chord;
+        check_rgb(lobe.radiance(sun.direction) - sky, ratio * (disk.radiance(sun.direction) - sky), 1e-3);
+        const Sun point = sun_of(zenith * degree, 0, LimbDarkening::none);
+        for (Sky* sky_of : {&lobe, &none}) sky_of->stand(500, point);
+        CHECK(lobe.radiance(sun.direction) == none.radiance(sun.direction));
+    }
+}

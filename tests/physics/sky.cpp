@@ -25,6 +25,7 @@ CompositeSettings sky_composite(const SkyOptions& options) {
     CompositeSettings settings;
     settings.target_format = rhi::Format::rgba32_float;
     settings.sun_disk = options.sun_disk;
+    settings.sun_lobe_g = options.sun_lobe_g;
     settings.scene_color = options.beyond > 0;
     return settings;
 }

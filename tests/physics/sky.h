@@ -33,6 +33,7 @@ struct SkyOptions {
     QualitySettings quality = fine();
     ModelPtr model = nullptr;  ///< Null: the model `aureole` with `quality`.
     bool sun_disk = false;
+    double sun_lobe_g = 0;
     double beyond = 0;  ///< Radiance of what lies behind the air, in all directions.
     bool light = false;
     std::uint32_t suns = 1;

@@ -42,7 +42,8 @@ public:
         : device_(device),
           state_(raster ? rhi::State::color_attachment : rhi::State::storage_write),
           air_(device, with_albedo(0), passes::small_quality()),
-          view_(air_, {.max_suns = 2}, {.target_format = rhi::Format::rgba16_float, .raster = raster, .dither = true}) {
+          view_(air_, {.max_suns = 2, .shadows = {.cascades = raster ? 1u : 0u}},
+                {.target_format = rhi::Format::rgba16_float, .raster = raster, .dither = true}) {
         const auto use = raster ? rhi::Usage::color_attachment : rhi::Usage::storage;
         targets_.extent = {24, 16, 1};
         targets_.target =
@@ -74,7 +75,7 @@ public:
         view_.record_composite(commands, targets_, {.enabled = true, .first = 4});
         return end_counting_allocations();
     }
-    [[nodiscard]] bool sky_recorded() const { return view_.reports()[0].recorded && view_.reports()[3].recorded; }
+    [[nodiscard]] bool sky_recorded() const { return view_.reports().front().recorded && view_.reports().back().recorded; }
     [[nodiscard]] bool solving() const { return air_.reports()[1].recorded; }
 
 private:

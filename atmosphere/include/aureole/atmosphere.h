@@ -21,6 +21,7 @@
 #include <aureole/parameters.h>
 #include <aureole/quality.h>
 #include <aureole/rhi/device.h>
+#include <aureole/shadows.h>
 
 #include <cstdint>
 #include <memory>
@@ -33,7 +34,8 @@ namespace aureole {
 
 /// What one pass did in the latest recording: for benchmarks and for hosts that show their costs.
 struct PassReport {
-    std::string_view name{};  ///< "transmittance", "multi_scatter", "sky_view", "aerial_perspective", "light", "composite";
+    std::string_view name{};  ///< "transmittance", "multi_scatter", "sky_view", "aerial_perspective", "light", "composite",
+                              ///< "shadows" where a view has them, before "light";
                               ///< of other models what their pages name.
     bool recorded = false;    ///< False when nothing that it depends on had changed; then the rest is of an earlier one.
     std::uint64_t invocations = 0;    ///< Shader invocations, those beyond the edges of tables left out.
@@ -41,9 +43,9 @@ struct PassReport {
 };
 
 /// Optional timestamps: pass i of reports() that is recorded writes slots first + 2 i, before it, and first + 2 i + 1, after
-/// it. Atmosphere::record takes 4 slots from `first` on, View::record 6. View::record_composite writes as pass 3, so given the
-/// same `first` as View::record it goes on from there: 8 for both. A slot of Capabilities::timestamp_slots or beyond is not
-/// written, and the device's message callback says so.
+/// it. Atmosphere::record takes 4 slots from `first` on, View::record 6 (8 with shadows). View::record_composite writes as pass
+/// 3, so given the same `first` as View::record it goes on from there: 8 for both. A slot of Capabilities::timestamp_slots or
+/// beyond is not written, and the device's message callback says so.
 struct TimestampSlots {
     bool enabled = false;     ///< False: none are written.
     std::uint32_t first = 0;  ///< In [0, Capabilities::timestamp_slots - number of slots].
@@ -130,7 +132,8 @@ struct ViewSettings {
     bool aerial_perspective = true;  ///< False: no froxels; the composite leaves geometry as it is.
     /// Depth of the last slice of froxels, metres; geometry beyond it gets the air up to there. In [1e-3, 1e13].
     double aerial_perspective_distance_m = 96000;
-    bool light = true;  ///< Sun colour and SH-L2 sky irradiance for the host's own lights (light_table).
+    ShadowSettings shadows{};  ///< Shadows in the air (shadows.h). Off by default.
+    bool light = true;         ///< Sun colour and SH-L2 sky irradiance for the host's own lights (light_table).
 };
 
 /// How a View shows its tables. A value out of range is Error(invalid_argument) from View's constructor; a format that the
@@ -142,7 +145,12 @@ struct CompositeSettings {
     bool scene_color = false;  ///< The host gives its colour; without it geometry is black.
     bool scene_depth = false;  ///< The host gives its depth; without it every pixel is sky.
     bool sun_disk = true;      ///< Draw the disks of suns with an angular radius, limb darkening and air included.
-    double exposure = 1;       ///< Multiplies the result, before the tone map. In [1e-30, 1e30].
+    /// In place of disks, the cheap sun of tutorials: a lobe of Henyey & Greenstein with this mean cosine around each sun that
+    /// has an angular radius, of the same irradiance, seen through the same air. No edge, no limb darkening, and unlike a disk
+    /// it is seen while any of the sky is, also when the sun has set. 0: disks. In [0, 0.9999]; 0.999 has half of its light
+    /// within 0.1 degrees. Nothing without sun_disk.
+    double sun_lobe_g = 0;
+    double exposure = 1;  ///< Multiplies the result, before the tone map. In [1e-30, 1e30].
     ToneMap tone_map = ToneMap::none;
     bool encode_srgb = false;  ///< Apply the sRGB curve (for rgba8_unorm targets).
     bool dither = false;       ///< Triangular noise of one 8-bit step, after everything else.
@@ -180,6 +188,11 @@ public:
 
     /// Replaces CompositeSettings::exposure. In [1e-30, 1e30], else Error(invalid_argument).
     void set_exposure(double exposure);
+
+    /// The shadow map of one sun, if ViewSettings::shadows asks for one: to be called whenever it has been drawn anew or its
+    /// matrices have changed, before record(); what is set stays until then. Allocates where the texture is another one. Throws
+    /// and changes nothing if a value is rejected. The texture must live as long as it is set: null ends its use.
+    void set_shadow_map(const ShadowMap& map);
 
     /// Records of sky-view, aerial perspective and light those that follow from what has changed in camera, suns and air:
     /// turning the camera makes new froxels alone, a new exposure or nothing makes none. After update() and

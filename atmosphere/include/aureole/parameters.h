@@ -90,6 +90,10 @@ struct DensityTerm {
     Rgb scattering_per_m{0, 0, 0};  ///< At density 1. In [0, 1e6].
     Rgb absorption_per_m{0, 0, 0};  ///< At density 1. In [0, 1e6].
     PhaseFunction phase;            ///< Unused when scattering is 0.
+    /// Artists' factors of the two coefficients, which leave the measured numbers as they are. In [0, 1e6], and the product in
+    /// [0, 1e6] too. With exactly 1, nothing changes by a bit.
+    double scattering_scale = 1;
+    double absorption_scale = 1;
     [[nodiscard]] bool operator==(const DensityTerm&) const = default;
 };
 

@@ -3,6 +3,7 @@
 
 #include <aureole/parameters.h>
 
+#include <span>
 #include <string_view>
 
 namespace aureole::presets {
@@ -19,7 +20,21 @@ namespace aureole::presets {
 /// A body without air, radii of the Moon (1737.4 km).
 [[nodiscard]] AtmosphereParameters airless();
 
-/// By name: "earth", "hazy_earth", "mars", "airless". Anything else throws Error naming the four.
+/// Earth with the density of the U.S. Standard Atmosphere 1976 in a table, Rayleigh scattering of Bodhaine 1999 at 680, 550 and
+/// 440 nm and 300 Dobson units of ozone with measured cross-sections: spectrum::earth with its defaults (spectrum.h); aerosol
+/// as earth().
+[[nodiscard]] AtmosphereParameters us_standard_1976();
+/// Titan: nitrogen, methane, and an orange haze as deep as the air. Radius 2574.7 km (Zebker et al. 2009), air to 600 km.
+/// Molecules: by pressure and temperature that the Huygens probe found at the ground, 1467 hPa and 93.65 K
+/// (Fulchignoni et al. 2005), 1.135e26 a cubic metre, which scatter like those of air (spectrum.h); scale height 20 km of that
+/// temperature. Methane: 5.65 % of the molecules at the ground, 1.5 % from 40 km on (Niemann et al. 2010), as one exponential
+/// of 12 km. Illustrative, in size and colour alone: the absorption of methane (parameters.md), the haze's optical depth (about
+/// 6 in green), its scale height, albedo and phase function, and the ground's albedo.
+[[nodiscard]] AtmosphereParameters titan();
+
+/// "earth", "hazy_earth", "mars", "airless", "us_standard_1976", "titan".
+[[nodiscard]] std::span<const std::string_view> names();
+/// By name. Anything else throws Error naming them.
 [[nodiscard]] AtmosphereParameters by_name(std::string_view name);
 
 }  // namespace aureole::presets

@@ -77,7 +77,8 @@ double longest_sun_ray(const Planet& planet, double lowest_sun_deg) {
 glm::dvec2 colour_ratio(const AtmosphereParameters& parameters) {
     Rgb molecules(0), aerosol(0);
     for (const DensityTerm& term : parameters.terms)
-        (std::holds_alternative<RayleighPhase>(term.phase) ? molecules : aerosol) += term.scattering_per_m;
+        (std::holds_alternative<RayleighPhase>(term.phase) ? molecules : aerosol) +=
+            term.scattering_per_m * term.scattering_scale;
     const auto over = [](double a, double b) { return b > 0 ? a / b : 0.0; };
     return {over(aerosol.g * molecules.r, aerosol.r * molecules.g), over(aerosol.b * molecules.r, aerosol.r * molecules.b)};
 }

@@ -17,7 +17,7 @@ using models::FogSettings;
 
 class FogView final : public ModelView {
 public:
-    FogView(ModelKernels kernels) : kernels_(std::move(kernels)) {}
+    FogView(ModelKernels kernels) : kernels_(std::move(kernels)) { kernels_.shadows = false; }
     [[nodiscard]] const ModelKernels& kernels() const noexcept override { return kernels_; }
 
 private:

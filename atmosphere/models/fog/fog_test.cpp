@@ -3,6 +3,7 @@
 
 #include "common/rejects.h"
 #include "passes/model_sweep.h"
+#include "passes/scene.h"
 #include "physics/reference.h"
 #include "physics/sky.h"
 #include "physics/worst.h"
@@ -179,6 +180,43 @@ TEST_CASE("fog before geometry: L0 F + S / b (1 - F), whichever the distance") {
             worst.add(apart(color, settings.colour * (1 - through) + Rgb(1, 2, 3) * through), distance);
     }
     CHECK_WORST(worst, 1e-4);
+}
+
+TEST_CASE("fog over a forward renderer's colour and depth: the closed form in every depth convention, drawn or computed") {
+    constexpr rhi::Extent extent{16, 10, 1};
+    constexpr double aspect = 1.6;
+    const FogSettings settings = one_colour(FogSettings::Sky::infinity);
+    const auto backend = passes::open_cpu_float();
+    const rhi::Texture color = backend->make(
+        "color", rhi::Format::rgba32_float,
+        passes::Image{extent, std::vector<glm::dvec4>(std::size_t{extent.width} * extent.height, glm::dvec4(1, 2, 3, 1))});
+    for (const bool raster : {false, true})
+        for (const passes::DepthConvention& convention : passes::perspective_conventions(aspect)) {
+            CAPTURE(convention.name);
+            passes::Setup setup;
+            setup.model = models::fog(settings);
+            setup.view.light = false;
+            setup.composite = {
+                .target_format = rhi::Format::rgba32_float, .raster = raster, .scene_color = true, .scene_depth = true};
+            passes::Rig rig(*backend, setup);
+            rig.record_air();
+            Camera camera = look(setup.air.planet.bottom_radius_m, 300, 0, 0.8, 1, aspect);  // no bare ground in sight
+            camera.projection = convention.projection;
+            camera.depth_range = convention.range;
+            rig.record_view(camera, sun_at(50 * degree));
+            const passes::SceneTextures scene = passes::upload(*backend, extent, passes::patches, convention);
+            const passes::Image image = rig.show(extent, {.scene_color = color, .scene_depth = scene.depth});
+            physics::Worst worst;
+            for (std::uint32_t y = 0; y < extent.height; ++y)
+                for (std::uint32_t x = 0; x < extent.width; ++x) {
+                    const glm::dvec3 ray((2 * (x + 0.5) / extent.width - 1) / convention.projection[0][0],
+                                         (1 - 2 * (y + 0.5) / extent.height) / convention.projection[1][1], 1);
+                    // Nothing there: endless fog, whatever colour the host has cleared to.
+                    const double through = std::exp(-settings.density_per_m * passes::patches(x, y) * glm::length(ray));
+                    worst.add(apart(Rgb(image.at(x, y)), settings.colour * (1 - through) + Rgb(1, 2, 3) * through), y);
+                }
+            CHECK_WORST(worst, 1e-3);
+        }
 }
 
 TEST_CASE("fog: settings out of range are named") {

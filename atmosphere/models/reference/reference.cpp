@@ -95,7 +95,8 @@ ReferenceView::ReferenceView(ViewResources& shared, const ViewSettings& view, co
                 .tables = {{2, has_film() ? film_.handle : shared.air.profile_table.handle, shared.air.nearest, {}},
                            {11, {}, {}, quadrature_.handle}},
                 .specialization = {values.begin(), values.end()},
-                .aerial_perspective = view.aerial_perspective};
+                .aerial_perspective = view.aerial_perspective,
+                .shadows = false};
     if (has_light_) kernels_.tables.push_back({3, light_.handle, shared.air.nearest, {}});
 }
 

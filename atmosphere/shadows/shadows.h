@@ -1,0 +1,47 @@
+// Recorder of the shadows pass: what a host's shadow map takes from the air, in a volume over the screen (shadows.glsl).
+#pragma once
+
+#include "models/model.h"
+
+#include <aureole/shadows.h>
+
+#include <optional>
+
+namespace aureole::detail {
+
+void validate(const ShadowSettings& settings);
+/// `settings`, `max_suns`: of the view. Textures are the device's to know.
+void validate(const ShadowMap& map, const ShadowSettings& settings, std::uint32_t max_suns, const rhi::Device& device);
+
+/// A map and a camera's position, m from the planet's centre, as the kernels read them; without a texture nothing is in shadow.
+[[nodiscard]] ShadowBlock pack_shadows(const ShadowMap& map, std::uint32_t cascades, const glm::dvec3& camera_m);
+
+class ShadowPass {
+public:
+    /// Makes nothing where shadows are off. `transmittance`: null where the model keeps no such table.
+    ShadowPass(ViewResources& shared, const ModelKernels& kernels, const ShadowSettings& settings, rhi::Texture transmittance);
+
+    /// Makes bindings for this map; null: for none. Throws and changes nothing where the device refuses it.
+    void use_map(rhi::Texture map);
+    void invalidate() noexcept;
+    [[nodiscard]] bool enabled() const noexcept { return settings_.cascades > 0; }
+    [[nodiscard]] const ShadowSettings& settings() const noexcept { return settings_; }
+    [[nodiscard]] const TrackedTexture& table() const noexcept { return table_; }
+    void record(rhi::CommandList& commands, const ShadowBlock& block, PassReport& report, TimestampSlots timestamps,
+                std::uint32_t index);
+
+private:
+    ViewResources& shared_;
+    ShadowSettings settings_;
+    rhi::Texture transmittance_;
+    const rhi::Shader* shader_ = nullptr;
+    TrackedTexture table_;
+    TrackedBuffer block_, nodes_;
+    QuadratureBlock rule_;
+    rhi::Pipeline pipeline_;
+    rhi::Texture map_;
+    std::unique_ptr<Objects> map_objects_;
+    rhi::BindingSet bindings_;
+};
+
+}  // namespace aureole::detail

@@ -23,6 +23,7 @@ SPEC_INT(20, TONE_MAP, 0)  // 0 none, 1 ACES as fitted by Hill
 SPEC_BOOL(21, ENCODE_SRGB, false)
 SPEC_BOOL(22, DITHER, false)
 SPEC_BOOL(23, GIVEN_DIRECTIONS, false)
+SPEC_BOOL(50, NO_NEGATIVE, false)  // light from tables whose colours can lie outside of Rec.709: what is below 0 shows as 0
 
 struct CompositeTarget {
     vec4 size;  // x, y: width and height of the target; z: frame number, for the dither

@@ -9,7 +9,7 @@ namespace detail {
 namespace {
 
 // One pass stands for all that the model records for its triplets: their number does not change how many passes there are.
-constexpr std::array<std::string_view, 2> pass_names{"wavelengths", "spectral_sum"};
+constexpr std::array<std::string_view, 2> air_passes{"air_wavelengths", "air_sums"}, view_passes{"wavelengths", "sums"};
 
 SpectralWeights weights_of(std::span<const spectrum::Triplet> triplets, const Rgb& sun) {
     SpectralWeights weights;
@@ -146,7 +146,7 @@ SpectralAir::Triplet SpectralAir::triplet(const AtmosphereParameters& rgb, const
     return result;
 }
 
-std::span<const std::string_view> SpectralAir::passes() const noexcept { return pass_names; }
+std::span<const std::string_view> SpectralAir::passes() const noexcept { return air_passes; }
 
 void SpectralAir::complete(const AtmosphereParameters& parameters, AtmosphereBlock& block) const noexcept {
     airs_.front()->model->complete(parameters, block);
@@ -255,7 +255,7 @@ SpectralView::SpectralView(ViewResources& shared, const ViewSettings& settings, 
 }
 
 std::span<const std::string_view> SpectralView::passes() const noexcept {
-    return inner_reports_.each > 0 ? std::span(pass_names) : std::span<const std::string_view>{};
+    return inner_reports_.each > 0 ? std::span(view_passes) : std::span<const std::string_view>{};
 }
 
 rhi::Texture SpectralView::shown(rhi::Texture table) const noexcept {

@@ -360,7 +360,7 @@ TEST_CASE("spectral: passes of all triplets are told as one") {
     (void)sky(six, 5);
     REQUIRE(six.view.reports().size() == 4);
     CHECK(six.view.reports()[0].name == "wavelengths");
-    CHECK(six.view.reports()[1].name == "spectral_sum");
+    CHECK(six.view.reports()[1].name == "sums");
     CHECK(six.view.reports()[0].invocations ==
           2 * (plain.view.reports()[0].invocations + plain.view.reports()[1].invocations));
     CHECK(six.air.reports()[0].bytes_written ==

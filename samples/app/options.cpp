@@ -28,9 +28,10 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
     command.add_option("--quality", options.quality, "How finely the model works, instead of the scene's")
         ->check(CLI::IsMember(strings(quality_names())));
     command
-        .add_option("--spectral", options.spectral,
-                    "Colours, instead of the scene's: rgb, or a number of wavelengths (3, 4 and 6 are fitted, others evenly spread; "
-                    "models aureole, bruneton and hillaire)")
+        .add_option(
+            "--spectral", options.spectral,
+            "Colours, instead of the scene's: rgb, or a number of wavelengths (3, 4 and 6 are fitted, others evenly spread; "
+            "models aureole, bruneton and hillaire)")
         ->check(wavelengths());
     command.footer("Models:\n" + list_models("  "));
 }

@@ -86,8 +86,8 @@ struct Scene {
 /// The same for a text; `name` stands for the file in messages.
 [[nodiscard]] Scene parse_scene(std::string_view text, const std::string& name);
 
-/// The suns as the library takes them. The real sun's colour depends on what red, green and blue stand for: three wavelengths, or
-/// with SceneModel::spectral the primaries of Rec.709; its luminance is that of 0.93 times white either way.
+/// The suns as the library takes them. The real sun's colour depends on what red, green and blue stand for: three wavelengths,
+/// or with SceneModel::spectral the primaries of Rec.709; its luminance is that of 0.93 times white either way.
 [[nodiscard]] std::vector<Sun> suns_of(const Scene& scene);
 /// The camera as the library takes it, `altitude_m` above the ground radius, for a picture of the given shape.
 [[nodiscard]] Camera camera_of(const Scene& scene, double altitude_m, std::uint32_t width, std::uint32_t height);

@@ -129,7 +129,8 @@ std::unique_ptr<BrunetonAir::Back> BrunetonAir::make_back() const {
     auto back = std::make_unique<Back>();
     back->objects = shared_.objects.sibling();
     back->shared.emplace(AirResources{*back->objects, shared_.air, shared_.quality, shared_.block, shared_.profile_table,
-                                      shared_.phase_table, shared_.has_profiles, shared_.linear, shared_.nearest, shared_.summed});
+                                      shared_.phase_table, shared_.has_profiles, shared_.linear, shared_.nearest,
+                                      shared_.summed});
     back->transmittance.emplace(*back->shared, transmittance_kernel(shared_.quality));
     back->tables = solution_.make_tables(*back->objects, back->transmittance->table(), rhi::Usage::copy_source);
     back->bindings = solution_.bind(*back->objects, back->tables);

@@ -67,8 +67,8 @@ Spread differences(const std::vector<Rgb>& colours, const std::vector<Rgb>& trut
 
 struct Mode {
     const char* name;
-    int wavelengths;           ///< 0: rgb.
-    double mean, p95;          ///< Bounds, of any hour.
+    int wavelengths;   ///< 0: rgb.
+    double mean, p95;  ///< Bounds, of any hour.
 };
 
 void compare(Backend& backend, const ModelPtr& inner, std::span<const double> elevations, std::span<const Mode> modes) {

@@ -106,7 +106,11 @@ TEST_CASE("spectral: molecules and ozone follow their laws, by name") {
 
 TEST_CASE("spectral: powers between and beyond, none too steep, lines where there is a zero") {
     AtmosphereParameters air;
-    air.terms = {{.name = "dust", .profile = ExponentialProfile{}, .scattering_per_m = {1e-6, 2e-6, 0}, .absorption_per_m = {}, .phase = RayleighPhase{}}};
+    air.terms = {{.name = "dust",
+                  .profile = ExponentialProfile{},
+                  .scattering_per_m = {1e-6, 2e-6, 0},
+                  .absorption_per_m = {},
+                  .phase = RayleighPhase{}}};
     const auto at = [&](double nm) { return at_wavelengths(air, {nm, nm, nm}).terms[0].scattering_per_m.r; };
     CHECK(at(495) == doctest::Approx(1e-6));
     CHECK(at(780) == doctest::Approx(1e-6));

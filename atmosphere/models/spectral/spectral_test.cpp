@@ -361,8 +361,7 @@ TEST_CASE("spectral: passes of all triplets are told as one") {
     REQUIRE(six.view.reports().size() == 4);
     CHECK(six.view.reports()[0].name == "wavelengths");
     CHECK(six.view.reports()[1].name == "sums");
-    CHECK(six.view.reports()[0].invocations ==
-          2 * (plain.view.reports()[0].invocations + plain.view.reports()[1].invocations));
+    CHECK(six.view.reports()[0].invocations == 2 * (plain.view.reports()[0].invocations + plain.view.reports()[1].invocations));
     CHECK(six.air.reports()[0].bytes_written ==
           2 * (plain.air.reports()[0].bytes_written + plain.air.reports()[1].bytes_written));
     CHECK(six.view.reports().back().invocations == plain.view.reports().back().invocations);

@@ -30,7 +30,8 @@ SpectralSum::SpectralSum(Objects& objects, rhi::Sampler nearest, const TrackedBu
         return objects.compute(*shader_, values.values());
     };
     const std::uint32_t rows = sum_.extent.height / kind.layers;
-    const std::uint32_t depth_begin = kind.depth_layer < 0 ? sum_.extent.height : static_cast<std::uint32_t>(kind.depth_layer) * rows;
+    const std::uint32_t depth_begin =
+        kind.depth_layer < 0 ? sum_.extent.height : static_cast<std::uint32_t>(kind.depth_layer) * rows;
     const std::uint32_t depth_end = kind.depth_layer < 0 ? sum_.extent.height : depth_begin + rows;
     rhi::Pipeline radiance;
     const auto add = [&](bool depth, std::uint32_t begin, std::uint32_t end) {

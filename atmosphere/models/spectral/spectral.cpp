@@ -124,8 +124,7 @@ SpectralAir::SpectralAir(AirResources& shared, const AtmosphereParameters& param
       sums_needed_(triplets_.size() > 1 || !is_diagonal(triplets_.front().to_rec709)) {
     if (!settings_.air) settings_.air = models::at_wavelengths;
     std::vector<ModelAir*> models;
-    for (const spectrum::Triplet& t : triplets_) {
-        const Triplet air = triplet(parameters, t.nm);
+    for (const Triplet& air : at_triplets(parameters)) {
         airs_.push_back(std::make_unique<AirTables>(shared.objects.device(), shared.objects.frame(), air.parameters, air.packed,
                                                     inner, sums_needed_));
         models.push_back(airs_.back()->model.get());
@@ -134,15 +133,18 @@ SpectralAir::SpectralAir(AirResources& shared, const AtmosphereParameters& param
     if (sums_needed_) sums_ = make_sums<ModelAir>(shared.objects, shared.nearest, weights_buffer_, models);
 }
 
-SpectralAir::Triplet SpectralAir::triplet(const AtmosphereParameters& rgb, const std::array<double, 3>& nm) const {
-    Triplet result{settings_.air(rgb, nm), {}};
-    result.packed = pack_atmosphere(result.parameters);
+std::vector<SpectralAir::Triplet> SpectralAir::at_triplets(const AtmosphereParameters& rgb) const {
     const PackedAtmosphere own = pack_atmosphere(rgb);
-    if (result.packed.block.radii != own.block.radii)
-        reject("spectral.air", "other radii at " + print(nm), "those of the atmosphere");
-    if (!same_phases(result.packed, own))
-        reject("spectral.air", "other phase functions at " + print(nm), "those of the atmosphere, in their order");
-    result.packed.block.tables.z = own.block.tables.z;  // what is added up has the same axes
+    std::vector<Triplet> result;
+    for (const spectrum::Triplet& t : triplets_) {
+        Triplet& air = result.emplace_back(Triplet{settings_.air(rgb, t.nm), {}});
+        air.packed = pack_atmosphere(air.parameters);
+        if (air.packed.block.radii != own.block.radii)
+            reject("spectral.air", "other radii at " + print(t.nm), "those of the atmosphere");
+        if (!same_phases(air.packed, own))
+            reject("spectral.air", "other phase functions at " + print(t.nm), "those of the atmosphere, in their order");
+        air.packed.block.tables.z = own.block.tables.z;  // what is added up has the same axes
+    }
     return result;
 }
 
@@ -153,8 +155,9 @@ void SpectralAir::complete(const AtmosphereParameters& parameters, AtmosphereBlo
 }
 
 bool SpectralAir::fits(const AtmosphereParameters& parameters) const {
+    const std::vector<Triplet> fresh = at_triplets(parameters);
     for (std::size_t k = 0; k < airs_.size(); ++k) {
-        const Triplet air = triplet(parameters, triplets_[k].nm);
+        const Triplet& air = fresh[k];
         if (!airs_[k]->fits_in_place(air.packed) || !airs_[k]->model->fits(air.parameters) ||
             airs_[k]->quality.angular_order != inner_->quality_for(air.parameters).angular_order)
             return false;
@@ -163,8 +166,7 @@ bool SpectralAir::fits(const AtmosphereParameters& parameters) const {
 }
 
 void SpectralAir::restart(const AtmosphereParameters& parameters, const AtmosphereBlock&, const AtmosphereBlock&) {
-    std::vector<Triplet> fresh;
-    for (const spectrum::Triplet& t : triplets_) fresh.push_back(triplet(parameters, t.nm));
+    const std::vector<Triplet> fresh = at_triplets(parameters);
     for (std::size_t k = 0; k < airs_.size(); ++k) airs_[k]->set_numbers(fresh[k].parameters, fresh[k].packed);
 }
 

@@ -50,7 +50,7 @@ private:
         AtmosphereParameters parameters;
         PackedAtmosphere packed;
     };
-    [[nodiscard]] Triplet triplet(const AtmosphereParameters& rgb, const std::array<double, 3>& nm) const;
+    [[nodiscard]] std::vector<Triplet> at_triplets(const AtmosphereParameters& rgb) const;
 
     AirResources& shared_;
     ModelPtr inner_;

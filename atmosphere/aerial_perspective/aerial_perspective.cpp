@@ -16,6 +16,15 @@ ViewBlock for_froxels(ViewBlock block) {
 
 }  // namespace
 
+std::vector<LightTexture> sky_and_froxels(const TableViewResources& shared, SkyViewPass* sky_view,
+                                          AerialPerspectivePass& froxels) {
+    const std::uint32_t light = shared.suns * shared.layers_per_sun;
+    std::vector<LightTexture> textures;
+    if (sky_view != nullptr) textures.push_back({&sky_view->table(), light + 1, static_cast<int>(light)});
+    if (froxels.enabled()) textures.push_back({&froxels.table(), 1 + light, 0});
+    return textures;
+}
+
 bool same_froxels(const ViewBlock& a, const ViewBlock& b) {
     const ViewBlock one = for_froxels(a), other = for_froxels(b);
     return std::memcmp(&one, &other, sizeof one) == 0;

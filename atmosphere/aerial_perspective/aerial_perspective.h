@@ -39,4 +39,8 @@ private:
     rhi::BindingSet bindings_;
 };
 
+/// The tables that the composite reads of a model with sky view (null: none) and froxels.
+[[nodiscard]] std::vector<LightTexture> sky_and_froxels(const TableViewResources& shared, SkyViewPass* sky_view,
+                                                        AerialPerspectivePass& froxels);
+
 }  // namespace aureole::detail

@@ -17,6 +17,8 @@ TrackedTexture Objects::texture(const rhi::TextureDesc& desc) {
     texture.handle = device_->create_texture(desc);
     handles_.emplace_back(texture.handle);
     texture.extent = desc.extent;
+    texture.format = desc.format;
+    texture.dimension = desc.dimension;
     texture.bytes =
         std::uint64_t{desc.extent.width} * desc.extent.height * desc.extent.depth * rhi::bytes_per_texel(desc.format);
     texture_bytes_ += texture.bytes;

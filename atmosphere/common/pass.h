@@ -20,6 +20,8 @@ struct TrackedTexture {
     rhi::State state = rhi::State::undefined;
     rhi::Extent extent;
     std::uint64_t bytes = 0;
+    rhi::Format format = rhi::Format::undefined;
+    rhi::Dimension dimension = rhi::Dimension::d2;
 };
 struct TrackedBuffer {
     rhi::Buffer handle;
@@ -35,6 +37,8 @@ public:
     Objects& operator=(const Objects&) = delete;
 
     [[nodiscard]] rhi::Device& device() const noexcept { return *device_; }
+    /// Number of the frame in which objects are destroyed.
+    [[nodiscard]] const std::uint64_t& frame() const noexcept { return *frame_; }
     [[nodiscard]] TrackedTexture texture(const rhi::TextureDesc& desc);
     [[nodiscard]] TrackedBuffer constants(std::string_view name, std::size_t size);
     /// A buffer that holds these bytes for one copy to a texture.
@@ -134,6 +138,7 @@ struct AirResources {
     TrackedTexture& phase_table;
     bool has_profiles;  ///< False: one texel stands in for the profile table.
     rhi::Sampler linear, nearest;
+    bool summed = false;  ///< Tables are added to those of other wavelengths: colours in them must not depend on each other.
 };
 
 }  // namespace aureole::detail

@@ -75,7 +75,9 @@ vec3 pixel_radiance(ivec2 pixel) {
 }
 
 vec4 composite_pixel(ivec2 pixel) {
-    return vec4(display(pixel_radiance(pixel) * view.composite.x, pixel, target.size.z), real(1));
+    vec3 radiance = pixel_radiance(pixel);
+    if (NO_NEGATIVE) radiance = max(radiance, vec3(real(0)));
+    return vec4(display(radiance * view.composite.x, pixel, target.size.z), real(1));
 }
 
 #endif

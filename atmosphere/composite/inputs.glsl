@@ -26,6 +26,7 @@ SPEC_BOOL(22, DITHER, false)
 SPEC_BOOL(23, GIVEN_DIRECTIONS, false)
 SPEC_BOOL(37, SUN_LOBE, false)  // in place of disks
 SPEC_BOOL(38, SHADOWS, false)   // ViewSettings::shadows
+SPEC_BOOL(50, NO_NEGATIVE, false)  // light from tables whose colours can lie outside of Rec.709: what is below 0 shows as 0
 
 struct CompositeTarget {
     vec4 size;  // x, y: width and height of the target; z: frame number, for the dither

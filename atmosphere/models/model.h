@@ -32,6 +32,13 @@ struct ModelKernels {
     bool shadows = true;                              ///< Its light is single scattering of the air's terms, and more.
 };
 
+/// A table of light that a model's views read, and how it is made up: for adding up the tables of several wavelengths.
+struct LightTexture {
+    TrackedTexture* table;
+    std::uint32_t layers = 1;  ///< Of equal height, stacked in y.
+    int depth_layer = -1;      ///< That which holds optical depth; the others are proportional to radiance. -1: none does.
+};
+
 /// What a model keeps for a camera.
 class ModelView {
 public:
@@ -49,6 +56,9 @@ public:
     virtual void record(rhi::CommandList& /*commands*/, std::span<PassReport> /*reports*/, TimestampSlots /*timestamps*/) {}
     /// Has been recorded since it was made.
     [[nodiscard]] virtual bool ready() const noexcept { return true; }
+    // Of models with Model::by_tables.
+    [[nodiscard]] virtual bool due() const noexcept { return false; }  ///< record() has something to do.
+    [[nodiscard]] virtual std::vector<LightTexture> light_textures() { return {}; }
     /// For a host's own shaders (host/aureole.glsl): null where a model keeps none.
     [[nodiscard]] virtual rhi::Texture sky_view_table() const noexcept { return {}; }
     [[nodiscard]] virtual rhi::Texture aerial_perspective_table() const noexcept { return {}; }
@@ -73,6 +83,11 @@ public:
         return false;
     }
     [[nodiscard]] virtual bool ready() const noexcept { return true; }
+    // Of models with Model::by_tables.
+    [[nodiscard]] virtual bool due() const noexcept { return false; }  ///< record() has something to do.
+    [[nodiscard]] virtual std::vector<LightTexture> light_textures() { return {}; }
+    /// False where these parameters, of the same structure, call for other objects all the same.
+    [[nodiscard]] virtual bool fits(const AtmosphereParameters& /*parameters*/) const { return true; }
     /// How much of the solution for the air as it is has been recorded, in [0, 1].
     [[nodiscard]] virtual double progress() const noexcept { return 1; }
     /// Passes of iterative solutions recorded by each record(); 0: all at once. May throw, and then nothing has changed.

@@ -12,17 +12,22 @@ namespace aureole::detail {
 class AirTables {
 public:
     AirTables(rhi::Device& device, const std::uint64_t& frame, const AtmosphereParameters& parameters,
-              const PackedAtmosphere& packed, const ModelPtr& model);
+              const PackedAtmosphere& packed, const ModelPtr& model, bool summed = false);
 
     /// New numbers for the same structure. May throw where the air has tables, and then nothing has changed.
     void set_numbers(const AtmosphereParameters& parameters, const PackedAtmosphere& packed);
     /// Whether these parameters fit the objects at hand.
     [[nodiscard]] bool fits(const PackedAtmosphere& packed) const;
+    /// The same, and set_numbers needs nothing of the device.
+    [[nodiscard]] bool fits_in_place(const PackedAtmosphere& packed) const {
+        return fits(packed) && packed.profile_table == profile_upload_.texels && packed.phase_table == phase_upload_.texels;
+    }
     /// Everything on the device is lost: recorded anew by the next record().
     void invalidate() noexcept;
     [[nodiscard]] std::uint64_t texture_bytes() const noexcept { return objects.texture_bytes() + model->more_texture_bytes(); }
 
     void record(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps);
+    [[nodiscard]] bool due() const noexcept { return block_changed_ || model->due(); }
     /// There is something for a view to read.
     [[nodiscard]] bool recorded() const noexcept { return block_buffer.state != rhi::State::undefined && model->ready(); }
 

@@ -28,7 +28,7 @@ std::span<const std::byte> texels_or_zero(const std::vector<float>& texels) {
 }  // namespace
 
 AirTables::AirTables(rhi::Device& device, const std::uint64_t& frame, const AtmosphereParameters& parameters,
-                     const PackedAtmosphere& packed, const ModelPtr& chosen)
+                     const PackedAtmosphere& packed, const ModelPtr& chosen, bool summed)
     : objects(device, frame),
       structure(packed),
       quality(chosen->quality_for(parameters)),
@@ -44,7 +44,8 @@ AirTables::AirTables(rhi::Device& device, const std::uint64_t& frame, const Atmo
              phase_table,
              packed.profile_rows > 0,
              objects.sampler(rhi::Filter::linear),
-             objects.sampler(rhi::Filter::nearest)},
+             objects.sampler(rhi::Filter::nearest),
+             summed},
       model(chosen->make_air(shared, parameters)),
       profile_upload_(make_upload("profiles upload", packed.profile_table)),
       phase_upload_(make_upload("phases upload", packed.phase_table)) {
@@ -138,7 +139,8 @@ void Atmosphere::set_parameters(const AtmosphereParameters& parameters) {
     if (parameters == impl.parameters) return;
     const detail::PackedAtmosphere packed = detail::pack_atmosphere(parameters);
     AtmosphereParameters copy = parameters;
-    if (impl.tables->fits(packed) && impl.tables->quality.angular_order == impl.model->quality_for(copy).angular_order) {
+    if (impl.tables->fits(packed) && impl.tables->quality.angular_order == impl.model->quality_for(copy).angular_order &&
+        impl.tables->model->fits(copy)) {
         impl.tables->set_numbers(copy, packed);
         impl.parameters = std::move(copy);
         for (detail::AirUser* user : impl.users) user->refresh();

@@ -47,8 +47,10 @@ struct BenchResult {
     std::uint64_t table_bytes = 0;                ///< Device memory of all tables of one planet and one view.
 
     [[nodiscard]] const BenchPass& pass(std::string_view name) const;
-    /// "hillaire default"
-    [[nodiscard]] std::string label() const { return model.name + " " + model.quality; }
+    /// "hillaire default", "aureole default 4"
+    [[nodiscard]] std::string label() const {
+        return model.name + " " + model.quality + (model.in_rgb() ? "" : " " + model.spectral);
+    }
 };
 
 /// For each of the models. Rounds go through all of them in turn, so that what else the machine does hits all alike. In every

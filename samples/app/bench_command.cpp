@@ -18,6 +18,7 @@ struct BenchCommand {
     BackendOptions backend;
     std::string size = "1280x720";
     std::vector<std::string> models{"aureole", "hillaire"}, qualities = strings(quality_names());
+    std::string spectral = "rgb";
     std::filesystem::path json;
     BenchOptions options;
 };
@@ -85,6 +86,7 @@ nlohmann::json to_json(const BenchResult& result, const BenchResult& unit) {
     }
     return {{"model", result.model.name},
             {"quality", result.model.quality},
+            {"spectral", result.model.spectral},
             {"table_bytes", result.table_bytes},
             {"passes", passes},
             {"per_frame", to_json(result.per_frame)},
@@ -103,7 +105,7 @@ std::vector<SceneModel> chosen(const BenchCommand& command) {
     for (const std::string& name : names)
         for (const std::string& quality : command.qualities) {
             const auto same = [&](const SceneModel& m) { return m.name == name && m.quality == quality; };
-            if (std::ranges::none_of(models, same)) models.push_back({name, quality});
+            if (std::ranges::none_of(models, same)) models.push_back({name, quality, command.spectral});
         }
     return models;
 }
@@ -158,6 +160,11 @@ void add_bench_command(CLI::App& program) {
         ->check(CLI::IsMember(strings(quality_names())))
         ->delimiter(',')
         ->default_str("low,default,high");
+    command
+        ->add_option("--spectral", options->spectral,
+                     "Colours of all of them: rgb, or a number of wavelengths, for models and qualities that have them")
+        ->check(wavelengths())
+        ->default_str("rgb");
     command->footer("Models:\n" + list_models("  "));
     command->add_option("--preset", options->options.preset, "The air: a preset of scene files' [atmosphere]")
         ->capture_default_str();

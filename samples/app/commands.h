@@ -19,12 +19,15 @@ void add_devices_command(CLI::App& program);
 void add_backend_options(CLI::App& command, BackendOptions& options);
 /// What the scene says is replaced by what was asked for.
 struct ModelOptions {
-    std::string model, quality;  ///< Empty: as the scene says.
+    std::string model, quality, spectral;  ///< Empty: as the scene says.
     [[nodiscard]] SceneModel of(const SceneModel& scene) const {
-        return {model.empty() ? scene.name : model, quality.empty() ? scene.quality : quality};
+        return {model.empty() ? scene.name : model, quality.empty() ? scene.quality : quality,
+                spectral.empty() ? scene.spectral : spectral};
     }
 };
-/// --model and --quality.
+/// Checks the text of --spectral.
+[[nodiscard]] CLI::Validator wavelengths();
+/// --model, --quality and --spectral.
 void add_model_options(CLI::App& command, ModelOptions& options);
 /// Every model with a line on what it is, for help texts and `aureole devices`: each line begins with `indent`.
 [[nodiscard]] std::string list_models(const std::string& indent);

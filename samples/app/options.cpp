@@ -27,7 +27,22 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
         ->check(CLI::IsMember(strings(model_names())));
     command.add_option("--quality", options.quality, "How finely the model works, instead of the scene's")
         ->check(CLI::IsMember(strings(quality_names())));
+    command
+        .add_option(
+            "--spectral", options.spectral,
+            "Colours, instead of the scene's: rgb, or a number of wavelengths (3, 4 and 6 are fitted, others evenly spread; "
+            "models aureole, bruneton and hillaire)")
+        ->check(wavelengths());
     command.footer("Models:\n" + list_models("  "));
+}
+
+CLI::Validator wavelengths() {
+    const std::string range = "rgb, or 3 to 42";
+    return {[=](std::string& text) -> std::string {
+                std::string number = text;
+                return text == "rgb" || whole_number(3, 42)(number).empty() ? "" : text + " is not allowed; allowed: " + range;
+            },
+            range};
 }
 
 std::string list_models(const std::string& indent) {

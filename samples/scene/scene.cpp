@@ -3,6 +3,8 @@
 #include "scene/scene_atmosphere.h"
 #include "scene/section.h"
 
+#include <aureole/models/spectral.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -16,7 +18,12 @@ SceneSun read_sun(Section section) {
     SceneSun sun;
     sun.pose.elevation_deg = section.number("elevation_deg", elevation).value_or(30);
     sun.pose.bearing_deg = section.number("bearing_deg", bearing).value_or(0);
-    sun.irradiance = section.rgb("irradiance", {0, 1e9}).value_or(sun.irradiance);
+    if (section.is_text("irradiance")) {
+        (void)section.choice("irradiance", {"sun"});
+        sun.irradiance.reset();
+    } else if (const auto irradiance = section.rgb("irradiance", {0, 1e9})) {
+        sun.irradiance = *irradiance;
+    }
     sun.angular_radius_deg = section.number("angular_radius_deg", {0, 45}).value_or(sun.angular_radius_deg);
     const auto limb = section.choice("limb_darkening", {"none", "neckel94"});
     sun.limb_darkening = limb == std::size_t{0} ? LimbDarkening::none : LimbDarkening::neckel94;
@@ -82,6 +89,25 @@ void read_size(Section& root, Scene& scene) {
     scene.height = static_cast<std::uint32_t>((*size)[1]);
 }
 
+void read_spectral(Section& root, SceneModel& model) {
+    const auto reject = [&] { root.reject("spectral", root.printed("spectral"), "\"rgb\", or a whole number in [3, 42]"); };
+    if (root.is_text("spectral")) {
+        if (root.text("spectral") != "rgb") reject();
+        return;
+    }
+    const auto count = root.number("spectral", {-1e300, 1e300});
+    if (!count) return;
+    if (!(*count >= 3 && *count <= 42 && *count == std::floor(*count))) reject();
+    model.spectral = std::to_string(static_cast<int>(*count));
+}
+
+Rgb colour_of_the_sun(const SceneModel& model) {
+    const Rgb of_rgb(0.77, 0.97, 1.0);  // at 680, 550 and 440 nm (docs/radiometry.md)
+    if (model.in_rgb()) return of_rgb;
+    const Rgb colour = models::solar_rec709(models::wavelengths_by_name(model.spectral));
+    return colour * (spectrum::xyz_from_rec709(of_rgb).y / spectrum::xyz_from_rec709(colour).y);
+}
+
 Scene read_root(Section root, const std::filesystem::path& folder) {
     Scene scene;
     scene.title = root.text("title").value_or("");
@@ -91,6 +117,7 @@ Scene read_root(Section root, const std::filesystem::path& folder) {
     scene.sun_lobe_g = root.number("sun_lobe_g", {0, 0.9999}).value_or(0);
     if (const auto model = root.choice("model", model_names())) scene.model.name = model_names()[*model];
     if (const auto quality = root.choice("quality", quality_names())) scene.model.quality = quality_names()[*quality];
+    read_spectral(root, scene.model);
     scene.aerial_perspective_distance_m =
         root.number("aerial_perspective_distance_m", {1, 1e9}).value_or(scene.aerial_perspective_distance_m);
 
@@ -129,12 +156,21 @@ Scene parse_scene(std::string_view text, const std::string& name) {
     return read_root(document.root(), {});
 }
 
+ModelPtr SceneModel::make() const {
+    const ModelPtr model = model_by_name(name, quality);
+    return in_rgb() ? model : models::spectral(model, {models::wavelengths_by_name(spectral)});
+}
+
+std::string SceneModel::describe() const {
+    return "model " + name + ", quality " + quality + (in_rgb() ? "" : ", " + spectral + " wavelengths");
+}
+
 std::vector<Sun> suns_of(const Scene& scene) {
     std::vector<Sun> suns;
     for (const SceneSun& s : scene.suns) {
         Sun& sun = suns.emplace_back();
         sun.direction = direction_of(s.pose);
-        sun.irradiance = s.irradiance;
+        sun.irradiance = s.irradiance ? *s.irradiance : colour_of_the_sun(scene.model);
         sun.angular_radius_rad = s.angular_radius_deg * degree;
         sun.limb_darkening = s.limb_darkening;
     }

@@ -26,7 +26,7 @@ struct ScenePose {
 
 struct SceneSun {
     ScenePose pose;
-    Rgb irradiance{1, 1, 1};
+    std::optional<Rgb> irradiance = Rgb(1);  ///< None: of the real sun's colour (suns_of).
     double angular_radius_deg = 0.2678;
     LimbDarkening limb_darkening = LimbDarkening::neckel94;
 };
@@ -59,11 +59,13 @@ struct SceneExposure {
 struct SceneModel {
     std::string name = "aureole";     ///< One of model_names().
     std::string quality = "default";  ///< One of quality_names().
+    std::string spectral = "rgb";     ///< "rgb", or a number of wavelengths as models::wavelengths_by_name takes it.
 
-    /// Throws Error(invalid_argument) for a name that there is not.
-    [[nodiscard]] ModelPtr make() const { return model_by_name(name, quality); }
-    /// "model aureole, quality default"
-    [[nodiscard]] std::string describe() const { return "model " + name + ", quality " + quality; }
+    [[nodiscard]] bool in_rgb() const { return spectral == "rgb"; }
+    /// Throws Error(invalid_argument) for a name that there is not, and for wavelengths in a model that has none.
+    [[nodiscard]] ModelPtr make() const;
+    /// "model aureole, quality default", and ", 4 wavelengths" where it is not in RGB.
+    [[nodiscard]] std::string describe() const;
 };
 
 struct Scene {
@@ -86,7 +88,8 @@ struct Scene {
 /// The same for a text; `name` stands for the file in messages.
 [[nodiscard]] Scene parse_scene(std::string_view text, const std::string& name);
 
-/// The suns as the library takes them.
+/// The suns as the library takes them. The real sun's colour depends on what red, green and blue stand for: three wavelengths,
+/// or with SceneModel::spectral the primaries of Rec.709; its luminance is that of 0.93 times white either way.
 [[nodiscard]] std::vector<Sun> suns_of(const Scene& scene);
 /// The camera as the library takes it, `altitude_m` above the ground radius, for a picture of the given shape.
 [[nodiscard]] Camera camera_of(const Scene& scene, double altitude_m, std::uint32_t width, std::uint32_t height);

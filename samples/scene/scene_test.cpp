@@ -3,6 +3,7 @@
 #include "io/test_files.h"
 
 #include <aureole/presets.h>
+#include <aureole/spectrum.h>
 
 #include <doctest/doctest.h>
 #include <cmath>
@@ -41,6 +42,7 @@ exposure_stops = -1
 sun_disk = false
 model = "aureole"
 quality = "high"
+spectral = 12
 aerial_perspective_distance_m = 5e4
 [[sun]]
 elevation_deg = 10
@@ -74,6 +76,7 @@ albedo = [0.1, 0.2, 0.3]
     CHECK_FALSE(scene.sun_disk);
     CHECK(scene.model.name == "aureole");
     CHECK(scene.model.quality == "high");
+    CHECK(scene.model.spectral == "12");
     CHECK(scene.aerial_perspective_distance_m == 5e4);
     REQUIRE(scene.suns.size() == 2);
     const std::vector<Sun> suns = suns_of(scene);
@@ -207,6 +210,9 @@ TEST_CASE("parse_scene: faults elsewhere") {
     CHECK(contains(rejected("quality = \"ultra\""), "allowed: \"low\", \"default\", \"high\""));
     CHECK(contains(rejected("model = \"preetham\""), "t.toml:1: model: \"preetham\" is not allowed; allowed: \""));
     CHECK(contains(rejected("model = 1"), "t.toml:1: model: 1 is not allowed; allowed: \""));
+    for (const char* value : {"\"4\"", "2", "43", "4.5"})
+        CHECK(contains(rejected(std::string("spectral = ") + value), "allowed: \"rgb\", or a whole number in [3, 42]"));
+    CHECK(contains(rejected("[[sun]]\nirradiance = \"moon\""), "t.toml:2: sun[0].irradiance: \"moon\""));
     CHECK(contains(rejected("aerial_perspective_distance_m = 0"), "aerial_perspective_distance_m: 0"));
     CHECK(contains(rejected("[sun]\n"), "sun: a table is not allowed; allowed: an array of tables"));
     CHECK(
@@ -279,4 +285,19 @@ TEST_CASE("the scenes of the truth tables hold the tables' parameters") {
     check("truth_hazy.toml", 6360, 6460, 0.1, air, 8, Rgb(0.03996), Rgb(0.00444), 1.2, 0.76, ozone);
     check("truth_mars.toml", 3389.5, 3509.5, 0.25, Rgb(0.019918, 0.01357, 0.00575), 11.1, Rgb(0.00966),
           Rgb(0.0005, 0.0013, 0.0038), 11.1, 0.76, Rgb(0));
+}
+
+TEST_CASE("scene: the sun's own colour is that of the channels") {
+    Scene scene = parse_scene("[[sun]]\nirradiance = \"sun\"", "t.toml");
+    CHECK(suns_of(scene)[0].irradiance == Rgb(0.77, 0.97, 1));
+    CHECK(scene.model.describe() == "model aureole, quality default");
+    const double luminance = spectrum::xyz_from_rec709(suns_of(scene)[0].irradiance).y;
+    scene.model.spectral = "40";
+    const Rgb of_forty = suns_of(scene)[0].irradiance;
+    CHECK(of_forty.r > of_forty.g);  // a sun of 5800 K is redder than white of 6500 K
+    CHECK(of_forty.g > of_forty.b);
+    CHECK(spectrum::xyz_from_rec709(of_forty).y == doctest::Approx(luminance));
+    CHECK(scene.model.describe() == "model aureole, quality default, 40 wavelengths");
+    scene.model.name = "fog";
+    CHECK_THROWS_AS((void)scene.model.make(), Error);
 }

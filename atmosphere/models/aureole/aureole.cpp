@@ -33,6 +33,7 @@ public:
         return result;
     }
     void validate() const override { aureole::validate(quality_); }
+    [[nodiscard]] bool by_tables() const noexcept override { return true; }
     void require(const rhi::Device& device) const override { require_tables(device, quality_); }
     [[nodiscard]] std::unique_ptr<ModelAir> make_air(AirResources& shared,
                                                      const AtmosphereParameters& parameters) const override {
@@ -138,6 +139,8 @@ void AureoleView::record(rhi::CommandList& commands, std::span<PassReport> repor
 }
 
 bool AureoleView::ready() const noexcept { return sky_view_.table().state != rhi::State::undefined; }
+
+std::vector<LightTexture> AureoleView::light_textures() { return sky_and_froxels(shared_, &sky_view_, froxels_); }
 
 }  // namespace detail
 

@@ -21,6 +21,8 @@ public:
     bool record(rhi::CommandList& commands, const AtmosphereBlock& block, std::span<PassReport> reports,
                 TimestampSlots timestamps) override;
     [[nodiscard]] bool ready() const noexcept override;
+    [[nodiscard]] bool due() const noexcept override { return transmittance_stale_ || !multi_scatter_.finished(); }
+    [[nodiscard]] std::vector<LightTexture> light_textures() override { return {{&transmittance_.table(), 1, 0}}; }
     void spread(int passes_per_frame, bool first_too) override;
     [[nodiscard]] std::uint64_t more_texture_bytes() const noexcept override { return multi_scatter_.copy_bytes(); }
     [[nodiscard]] std::unique_ptr<ModelView> make_view(ViewResources& shared, const ViewSettings& settings) override;
@@ -48,6 +50,8 @@ public:
     void invalidate() noexcept override;
     void record(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps) override;
     [[nodiscard]] bool ready() const noexcept override;
+    [[nodiscard]] bool due() const noexcept override { return sky_stale_ || froxels_stale_; }
+    [[nodiscard]] std::vector<LightTexture> light_textures() override;
     [[nodiscard]] rhi::Texture sky_view_table() const noexcept override { return sky_view_.table().handle; }
     [[nodiscard]] rhi::Texture aerial_perspective_table() const noexcept override { return froxels_.table().handle; }
 

@@ -35,6 +35,7 @@ public:
     [[nodiscard]] std::string_view name() const noexcept override { return "bruneton"; }
     [[nodiscard]] const QualitySettings& quality() const noexcept override { return quality_; }
     void validate() const override { models::validate(settings_); }
+    [[nodiscard]] bool by_tables() const noexcept override { return true; }
     void require(const rhi::Device& device) const override {
         const BrunetonSettings& s = settings_;
         require_table(device, quality_.table_format, rhi::Dimension::d2);
@@ -88,7 +89,7 @@ glm::dvec2 colour_ratio(const AtmosphereParameters& parameters) {
 BrunetonAir::BrunetonAir(AirResources& shared, const AtmosphereParameters&, const BrunetonSettings& settings)
     : shared_(shared),
       settings_(settings),
-      combined_(settings.combined && can_combine(shared.air)),
+      combined_(settings.combined && can_combine(shared.air) && !shared.summed),
       transmittance_(shared, transmittance_kernel(shared.quality)),
       solution_(shared, settings, combined_),
       front_(solution_.make_tables(shared.objects, transmittance_.table(), copied_to)),
@@ -129,7 +130,8 @@ std::unique_ptr<BrunetonAir::Back> BrunetonAir::make_back() const {
     auto back = std::make_unique<Back>();
     back->objects = shared_.objects.sibling();
     back->shared.emplace(AirResources{*back->objects, shared_.air, shared_.quality, shared_.block, shared_.profile_table,
-                                      shared_.phase_table, shared_.has_profiles, shared_.linear, shared_.nearest});
+                                      shared_.phase_table, shared_.has_profiles, shared_.linear, shared_.nearest,
+                                      shared_.summed});
     back->transmittance.emplace(*back->shared, transmittance_kernel(shared_.quality));
     back->tables = solution_.make_tables(*back->objects, back->transmittance->table(), rhi::Usage::copy_source);
     back->bindings = solution_.bind(*back->objects, back->tables);

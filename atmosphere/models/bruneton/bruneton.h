@@ -20,6 +20,10 @@ public:
     bool record(rhi::CommandList& commands, const AtmosphereBlock& block, std::span<PassReport> reports,
                 TimestampSlots timestamps) override;
     [[nodiscard]] bool ready() const noexcept override { return shown_; }
+    [[nodiscard]] bool due() const noexcept override { return stale_ || working_; }
+    [[nodiscard]] std::vector<LightTexture> light_textures() override {
+        return {{&transmittance_.table(), 1, 0}, {&front_.scattering}, {&front_.irradiance}};
+    }
     [[nodiscard]] double progress() const noexcept override;
     void spread(int passes_per_frame, bool first_too) override;
     [[nodiscard]] std::uint64_t more_texture_bytes() const noexcept override;

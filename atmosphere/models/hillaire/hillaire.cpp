@@ -20,6 +20,7 @@ public:
     [[nodiscard]] std::string_view name() const noexcept override { return "hillaire"; }
     [[nodiscard]] const QualitySettings& quality() const noexcept override { return unused_; }
     void validate() const override { models::validate(settings_); }
+    [[nodiscard]] bool by_tables() const noexcept override { return settings_.fast_sky && settings_.fast_aerial_perspective; }
     void require(const rhi::Device& device) const override;
     [[nodiscard]] std::unique_ptr<ModelAir> make_air(AirResources& shared, const AtmosphereParameters&) const override {
         return std::make_unique<HillaireAir>(shared, settings_);
@@ -85,7 +86,7 @@ std::unique_ptr<ModelView> HillaireAir::make_view(ViewResources& shared, const V
                                     transmittance_.table(),
                                     multi_scatter_.table(),
                                     1,
-                                    {{5, 0}, {7, 1}, {28, settings_.grey_transmittance ? 1U : 0U}}};
+                                    {{5, 0}, {7, 1}, {28, settings_.grey_transmittance && !shared.air.summed ? 1U : 0U}}};
     return std::make_unique<HillaireView>(tables, settings_, settings);
 }
 
@@ -149,6 +150,10 @@ void HillaireView::record(rhi::CommandList& commands, std::span<PassReport> repo
 rhi::Texture HillaireView::sky_view_table() const noexcept { return sky_view_ ? sky_view_->table().handle : rhi::Texture{}; }
 rhi::Texture HillaireView::aerial_perspective_table() const noexcept {
     return kernels_.aerial_perspective && !froxels_.enabled() ? rhi::Texture{} : froxels_.table().handle;
+}
+
+std::vector<LightTexture> HillaireView::light_textures() {
+    return sky_and_froxels(shared_, sky_view_ ? &*sky_view_ : nullptr, froxels_);
 }
 
 }  // namespace detail

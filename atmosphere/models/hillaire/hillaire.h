@@ -21,6 +21,8 @@ public:
     void invalidate() noexcept override;
     bool record(rhi::CommandList& commands, const AtmosphereBlock& block, std::span<PassReport> reports,
                 TimestampSlots timestamps) override;
+    [[nodiscard]] bool due() const noexcept override { return stale_; }
+    [[nodiscard]] std::vector<LightTexture> light_textures() override { return {{&transmittance_.table(), 1, 0}}; }
     [[nodiscard]] bool ready() const noexcept override { return multi_scatter_.table().state != rhi::State::undefined; }
     [[nodiscard]] std::unique_ptr<ModelView> make_view(ViewResources& shared, const ViewSettings& settings) override;
     [[nodiscard]] rhi::Texture transmittance_table() const noexcept override { return transmittance_.table().handle; }
@@ -44,6 +46,8 @@ public:
     void invalidate() noexcept override;
     void record(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps) override;
     [[nodiscard]] bool ready() const noexcept override { return recorded_; }
+    [[nodiscard]] bool due() const noexcept override { return sky_stale_ || froxels_stale_; }
+    [[nodiscard]] std::vector<LightTexture> light_textures() override;
     [[nodiscard]] rhi::Texture sky_view_table() const noexcept override;
     [[nodiscard]] rhi::Texture aerial_perspective_table() const noexcept override;
 

@@ -80,6 +80,10 @@ def check_render():
         expect(f'quality low, {spectral} wavelengths' in out, f'render says how many wavelengths: {out}')
         pictures.add((FOLDER / f's-{spectral}.exr').read_bytes())
     expect(len(pictures) == len(models()) + 2, 'every set of wavelengths has its own picture')
+    dusk = SCENES / 'twilight.toml'
+    expect('4 wavelengths' in works('render', dusk, '-o', FOLDER / 'd.exr', *small), 'the wavelengths of the scene')
+    out = works('render', dusk, '-o', FOLDER / 'd.exr', '--model', 'single', *small)
+    expect('wavelengths' not in out, f'a model without wavelengths takes RGB: {out}')
     scene = put('model.toml', 'model = "hillaire"\n' + noon.read_text())
     works('render', scene, '-o', FOLDER / 'scene.exr', *small)
     expect((FOLDER / 'scene.exr').read_bytes() == (FOLDER / 'm-hillaire.exr').read_bytes(), 'the model of the scene')

@@ -22,6 +22,14 @@ void add_backend_options(CLI::App& command, BackendOptions& options) {
 
 std::vector<std::string> strings(std::span<const std::string_view> names) { return {names.begin(), names.end()}; }
 
+SceneModel ModelOptions::of(const SceneModel& scene) const {
+    SceneModel result{model.empty() ? scene.name : model, quality.empty() ? scene.quality : quality,
+                      spectral.empty() ? scene.spectral : spectral};
+    const bool another = result.name != scene.name || result.quality != scene.quality;
+    if (spectral.empty() && another && !model_by_name(result.name, result.quality)->by_tables()) result.spectral = "rgb";
+    return result;
+}
+
 void add_model_options(CLI::App& command, ModelOptions& options) {
     command.add_option("--model", options.model, "What makes the sky, instead of the scene's: a model below")
         ->check(CLI::IsMember(strings(model_names())));

@@ -130,7 +130,7 @@ Rgb sky_irradiance(const std::array<Rgb, 9>& sky, const glm::dvec3& n) {
 }
 
 Rgb natural_albedo(glm::dvec2 place, double height_m, const glm::dvec3& normal, double footprint_m) {
-    const Rgb meadow(0.105, 0.125, 0.045), stubble(0.20, 0.165, 0.085), forest(0.032, 0.047, 0.017), rock(0.21, 0.19, 0.165);
+    const Rgb meadow(0.105, 0.125, 0.045), straw(0.20, 0.165, 0.085), forest(0.032, 0.047, 0.017), rock(0.21, 0.19, 0.165);
     const double steepness = 1 - normal.z;  // 0 flat, 0.29 at 45 degrees
     const double patches = fractal_noise(place, 420, footprint_m, 9);
     const double stands = fractal_noise(place + glm::dvec2(5000, 0), 1600, footprint_m, 10);
@@ -138,7 +138,7 @@ Rgb natural_albedo(glm::dvec2 place, double height_m, const glm::dvec3& normal, 
     const double tufts = 0.5 * fractal_noise(place - glm::dvec2(3000, 0), 90, footprint_m, 7) +
                          0.5 * fractal_noise(place - glm::dvec2(7000, 0), 15, footprint_m, 4);
 
-    const Rgb fields = glm::mix(meadow, stubble, smooth(0.42, 0.62, patches)) * (0.2 + 1.6 * tufts);
+    const Rgb fields = glm::mix(meadow, straw, smooth(0.42, 0.62, patches)) * (0.2 + 1.6 * tufts);
     const Rgb trees = forest * (0.75 + 0.5 * patches) * (0.55 + 0.9 * crowns);
     // Woods on slopes and heights, fields in the flat.
     const double wooded = smooth(0.006, 0.03, steepness + 0.04 * (stands - 0.5)) * 0.85 + 0.15 * smooth(400, 700, height_m);

@@ -139,8 +139,7 @@ void Atmosphere::set_parameters(const AtmosphereParameters& parameters) {
     if (parameters == impl.parameters) return;
     const detail::PackedAtmosphere packed = detail::pack_atmosphere(parameters);
     AtmosphereParameters copy = parameters;
-    if (impl.tables->fits(packed) && impl.tables->quality.angular_order == impl.model->quality_for(copy).angular_order &&
-        impl.tables->model->fits(copy)) {
+    if (impl.tables->fits(packed) && impl.tables->quality == impl.model->quality_for(copy) && impl.tables->model->fits(copy)) {
         impl.tables->set_numbers(copy, packed);
         impl.parameters = std::move(copy);
         for (detail::AirUser* user : impl.users) user->refresh();

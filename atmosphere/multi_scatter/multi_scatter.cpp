@@ -71,14 +71,16 @@ void MultiScatterPass::create() {
         order_[i] = objects.texture({"multi_scatter order", rhi::Dimension::d2, order_format, table_.extent, table_usage});
         sum_[i] = objects.texture({"multi_scatter sum", rhi::Dimension::d2, moment_format, table_.extent, table_usage});
     }
-    ray_rule_ = quadrature_block(quality.multi_scatter_nodes);
+    first_rule_ = quadrature_block(quality.multi_scatter_nodes);
+    later_rule_ = quadrature_block(quality.multi_scatter_later_nodes);
     zenith_rule_ = quadrature_block(quality.multi_scatter_zenith);
-    ray_quadrature_ = objects.constants("multi_scatter ray quadrature", sizeof ray_rule_);
+    first_quadrature_ = objects.constants("multi_scatter ray quadrature", sizeof first_rule_);
+    later_quadrature_ = objects.constants("multi_scatter later quadrature", sizeof later_rule_);
     zenith_quadrature_ = objects.constants("multi_scatter zenith quadrature", sizeof zenith_rule_);
 
     const auto rays_values = [&](bool first) {
         return Specialize(shared_.air)
-            .set(8, quality.multi_scatter_nodes)
+            .set(8, first ? quality.multi_scatter_nodes : quality.multi_scatter_later_nodes)
             .set(9, quality.angular_order)
             .set(10, first)
             .set(11, !first)
@@ -97,10 +99,10 @@ void MultiScatterPass::create() {
 }
 
 MultiScatterPass::Bindings MultiScatterPass::bind(Objects& objects, const Inputs& inputs) const {
-    const auto ray_set = [&](rhi::Pipeline pipeline, rhi::Texture source) {
+    const auto ray_set = [&](rhi::Pipeline pipeline, const TrackedBuffer& quadrature, rhi::Texture source) {
         return objects.bindings("multi_scatter rays", pipeline,
                                 {{0, {}, {}, inputs.block},
-                                 {1, {}, {}, ray_quadrature_.handle},
+                                 {1, {}, {}, quadrature.handle},
                                  {2, inputs.profiles, shared_.nearest, {}},
                                  {3, inputs.transmittance, shared_.linear, {}},
                                  {4, source, shared_.linear, {}},
@@ -120,10 +122,10 @@ MultiScatterPass::Bindings MultiScatterPass::bind(Objects& objects, const Inputs
     };
     Bindings sets;
     // The first pass has no source; any table that is readable stands in its slots.
-    sets.first_rays = ray_set(first_rays_, inputs.transmittance);
+    sets.first_rays = ray_set(first_rays_, first_quadrature_, inputs.transmittance);
     sets.first_moments = moment_set(rays_, rays_, order_[0], sum_[0]);
     for (int i = 0; i < 2; ++i) {
-        sets.next_rays[i] = ray_set(next_rays_, order_[i].handle);
+        sets.next_rays[i] = ray_set(next_rays_, later_quadrature_, order_[i].handle);
         for (int last = 0; last < 2; ++last)
             sets.moments[last][i] = moment_set(order_[1 - i], sum_[1 - i], order_[i], last == 1 ? table_ : sum_[i]);
     }
@@ -165,7 +167,8 @@ void MultiScatterPass::restart(double ratio, bool same_axes) noexcept {
 
 void MultiScatterPass::invalidate() noexcept {
     for (TrackedTexture* texture : {&table_, &rays_, &order_[0], &order_[1], &sum_[0], &sum_[1]}) forget(*texture);
-    forget(ray_quadrature_);
+    forget(first_quadrature_);
+    forget(later_quadrature_);
     forget(zenith_quadrature_);
     if (copy_) {
         forget(copy_->block);
@@ -199,8 +202,9 @@ void MultiScatterPass::start(rhi::CommandList& commands, const AtmosphereBlock& 
 
 bool MultiScatterPass::record(rhi::CommandList& commands, const AtmosphereBlock& block, int passes, PassReport& report,
                               TimestampSlots timestamps, std::uint32_t index) {
-    if (ray_quadrature_.state == rhi::State::undefined) {
-        update_block(commands, ray_quadrature_, ray_rule_);
+    if (first_quadrature_.state == rhi::State::undefined) {
+        update_block(commands, first_quadrature_, first_rule_);
+        update_block(commands, later_quadrature_, later_rule_);
         update_block(commands, zenith_quadrature_, zenith_rule_);
     }
     const bool at_once = passes <= 0 || !copy_ || !table_fits_;

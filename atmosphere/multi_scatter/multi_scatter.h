@@ -70,8 +70,8 @@ private:
     int passes_ = 0, next_ = 0;  // of the solution that has been started
     float greatest_ratio_ = 0;
     TrackedTexture table_, rays_, order_[2], sum_[2];
-    TrackedBuffer ray_quadrature_, zenith_quadrature_;
-    QuadratureBlock ray_rule_, zenith_rule_;
+    TrackedBuffer first_quadrature_, later_quadrature_, zenith_quadrature_;
+    QuadratureBlock first_rule_, later_rule_, zenith_rule_;
     rhi::Pipeline first_rays_, next_rays_, moments_;
     Bindings live_;
     std::unique_ptr<Copy> copy_;

@@ -23,7 +23,7 @@ Setup setup_of(const char* preset, const Variant& variant) {
     setup.quality.angular_order = variant.order;
     setup.quality.multi_scatter_zenith = variant.zenith;
     setup.quality.multi_scatter_azimuth = variant.azimuth;
-    setup.quality.multi_scatter_nodes = variant.nodes;
+    setup.quality.multi_scatter_nodes = setup.quality.multi_scatter_later_nodes = variant.nodes;
     setup.quality.multi_scatter_orders = variant.orders;
     return setup;
 }

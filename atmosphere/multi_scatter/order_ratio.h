@@ -12,6 +12,9 @@ namespace aureole::detail {
 /// single-scattering albedo goes on. Clear air: 0.35; a layer of dust of depth 2: 0.7; a cloud that absorbs nothing: 1.
 [[nodiscard]] double order_ratio(const AtmosphereParameters& parameters);
 
+/// Above this ratio later orders take as many nodes a ray as the first (QualitySettings::multi_scatter_later_nodes).
+inline constexpr double slow_order_ratio = 0.7;
+
 /// Passes that leave as small a share of the orders to extrapolation as `orders` passes do in air of ratio 0.4; at least
 /// `orders`, at most 64.
 [[nodiscard]] int passes_for(double ratio, int orders);

@@ -33,6 +33,7 @@ void validate(const QualitySettings& s) {
     detail::check("multi_scatter_zenith", s.multi_scatter_zenith, 2, 16);
     detail::check("multi_scatter_azimuth", s.multi_scatter_azimuth, 2, 32);
     check_nodes("multi_scatter_nodes", s.multi_scatter_nodes);
+    check_nodes("multi_scatter_later_nodes", s.multi_scatter_later_nodes);
     detail::check("multi_scatter_orders", s.multi_scatter_orders, 2, 64);  // the rest is extrapolated from the last two
     detail::check_sky_view("sky_view", s.sky_view);
     check_nodes("sky_view_nodes", s.sky_view_nodes);
@@ -60,6 +61,7 @@ QualitySettings QualitySettings::low() {
     s.angular_order_as_needed = false;
     s.multi_scatter_zenith = 3;
     s.multi_scatter_nodes = 6;
+    s.multi_scatter_later_nodes = 4;
     s.sky_view = {24, 64, 1};
     s.sky_view_nodes = 7;
     s.aerial_perspective = {16, 16, 16};
@@ -75,6 +77,7 @@ QualitySettings QualitySettings::high() {
     s.multi_scatter_zenith = 8;
     s.multi_scatter_azimuth = 5;
     s.multi_scatter_nodes = 12;
+    s.multi_scatter_later_nodes = 6;
     s.multi_scatter_orders = 4;
     s.sky_view = {64, 256, 1};
     s.sky_view_nodes = 12;

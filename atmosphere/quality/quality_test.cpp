@@ -45,6 +45,7 @@ std::vector<Field> samples() {
     constexpr int low = 2, high = 16;
     return {{"transmittance_nodes", [](Q& q, int v) { q.transmittance_nodes = v; }, low, high},
             {"multi_scatter_nodes", [](Q& q, int v) { q.multi_scatter_nodes = v; }, low, high},
+            {"multi_scatter_later_nodes", [](Q& q, int v) { q.multi_scatter_later_nodes = v; }, low, high},
             {"sky_view_nodes", [](Q& q, int v) { q.sky_view_nodes = v; }, low, high}};
 }
 

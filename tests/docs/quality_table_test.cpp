@@ -27,6 +27,7 @@ std::map<std::string, std::string> knobs(const QualitySettings& s) {
             {"multi_scatter_zenith", std::to_string(s.multi_scatter_zenith)},
             {"multi_scatter_azimuth", std::to_string(s.multi_scatter_azimuth)},
             {"multi_scatter_nodes", std::to_string(s.multi_scatter_nodes)},
+            {"multi_scatter_later_nodes", std::to_string(s.multi_scatter_later_nodes)},
             {"multi_scatter_orders", std::to_string(s.multi_scatter_orders)},
             {"sky_view", print(s.sky_view)},
             {"sky_view_nodes", std::to_string(s.sky_view_nodes)},

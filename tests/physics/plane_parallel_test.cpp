@@ -33,7 +33,7 @@ QualitySettings of_order(int angular_order) {
     quality.angular_order = angular_order;
     quality.multi_scatter = {24, 24, 1};
     quality.multi_scatter_zenith = quality.multi_scatter_azimuth = 8;
-    quality.multi_scatter_nodes = 12;
+    quality.multi_scatter_nodes = quality.multi_scatter_later_nodes = 12;
     quality.multi_scatter_orders = 3;
     quality.sky_view = {48, 192, 1};
     return quality;

@@ -25,7 +25,9 @@ struct QualitySettings {
                                            ///< more directions where the order is high: set_parameters may then make pipelines.
     int multi_scatter_zenith = 4;          ///< Gauss directions on each side of the horizon, in [2, 16].
     int multi_scatter_azimuth = 4;         ///< Directions on a half circle, in [2, 32].
-    int multi_scatter_nodes = 8;           ///< Gauss nodes a ray, in [2, 16].
+    int multi_scatter_nodes = 8;           ///< Gauss nodes a ray for light scattered once, in [2, 16].
+    int multi_scatter_later_nodes = 5;     ///< Gauss nodes a ray for all later orders, whose field is smooth, in [2, 16]. In
+                                           ///< thick air (order_ratio.h: above 0.7) at least as many as for the first.
     int multi_scatter_orders = 3;          ///< Passes of the fixed point before the rest is extrapolated from the last two, in
                                            ///< [2, 64]. Air in which orders fade more slowly than in a clear sky gets more, up
                                            ///< to 64.
@@ -47,6 +49,8 @@ struct QualitySettings {
     [[nodiscard]] static QualitySettings high();
     /// One of quality_names(); anything else throws Error naming them.
     [[nodiscard]] static QualitySettings by_name(std::string_view name);
+
+    [[nodiscard]] bool operator==(const QualitySettings&) const = default;
 };
 
 /// Every model comes in these: "low", "default", "high".

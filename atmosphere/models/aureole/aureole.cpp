@@ -25,10 +25,13 @@ public:
     [[nodiscard]] const QualitySettings& quality() const noexcept override { return quality_; }
     [[nodiscard]] QualitySettings quality_for(const AtmosphereParameters& parameters) const override {
         QualitySettings result = quality_;
+        // What each scattering loses between the nodes is lost as often as light is scattered.
+        if (order_ratio(parameters) > slow_order_ratio)
+            result.multi_scatter_later_nodes = std::max(result.multi_scatter_later_nodes, result.multi_scatter_nodes);
         if (!quality_.angular_order_as_needed) return result;
         result.angular_order = angular_order_for(parameters, quality_.angular_order);
         // Directions that tell the moments apart.
-        result.multi_scatter_zenith = std::max(result.multi_scatter_zenith, result.angular_order);
+        result.multi_scatter_zenith = std::max(result.multi_scatter_zenith, result.angular_order + 2);
         result.multi_scatter_azimuth = std::max(result.multi_scatter_azimuth, result.angular_order + 2);
         return result;
     }

@@ -159,7 +159,7 @@ bool SpectralAir::fits(const AtmosphereParameters& parameters) const {
     for (std::size_t k = 0; k < airs_.size(); ++k) {
         const Triplet& air = fresh[k];
         if (!airs_[k]->fits_in_place(air.packed) || !airs_[k]->model->fits(air.parameters) ||
-            airs_[k]->quality.angular_order != inner_->quality_for(air.parameters).angular_order)
+            airs_[k]->quality != inner_->quality_for(air.parameters))
             return false;
     }
     return true;

@@ -59,7 +59,7 @@ QualitySettings QualitySettings::low() {
     s.multi_scatter_azimuth = 3;
     s.angular_order = 0;
     s.angular_order_as_needed = false;
-    s.multi_scatter_zenith = 3;
+    s.multi_scatter_zenith = 4;
     s.multi_scatter_nodes = 6;
     s.multi_scatter_later_nodes = 4;
     s.sky_view = {24, 64, 1};

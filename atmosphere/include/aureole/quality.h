@@ -23,7 +23,7 @@ struct QualitySettings {
     int angular_order = 4;                 ///< L of the moments: 0 (mean alone), 2, 4 or 8; (L+1)(L+2)/2 layers.
     bool angular_order_as_needed = true;   ///< Take a lower order for air that makes no use of more (angular_order.h), and
                                            ///< more directions where the order is high: set_parameters may then make pipelines.
-    int multi_scatter_zenith = 4;          ///< Gauss directions on each side of the horizon, in [2, 16].
+    int multi_scatter_zenith = 5;          ///< Gauss directions on each side of the horizon, in [2, 16].
     int multi_scatter_azimuth = 4;         ///< Directions on a half circle, in [2, 32].
     int multi_scatter_nodes = 8;           ///< Gauss nodes a ray for light scattered once, in [2, 16].
     int multi_scatter_later_nodes = 5;     ///< Gauss nodes a ray for all later orders, whose field is smooth, in [2, 16]. In

@@ -51,8 +51,11 @@ vec3 fog_radiance(Medium air, vec3 source, real length_km) {
     return source * (length_km * mean_transmittance(fog_extinction(air) * length_km));
 }
 
-// How far a ray of the sky goes.
-real fog_length(Ray ray) { return ENDLESS_SKY && !ray.ground && ray.end > 0 ? ENDLESS : ray.end; }
+// How far a ray of the sky goes. Seen from space the air ends where it does: a limb without end would be a wall around the planet.
+real fog_length(Ray ray) {
+    bool endless = ENDLESS_SKY && !ray.ground && ray.end > 0 && view.camera.w < real(0.5);
+    return endless ? ENDLESS : ray.end;
+}
 
 // Sky and bare ground, per unit of the sun's irradiance. The ground's light has come through the real air, and goes back through
 // the fog.

@@ -98,6 +98,20 @@ TEST_CASE("fog of one colour: C (1 - exp(-density s)) before a black sky and gro
     }
 }
 
+TEST_CASE("fog without end ends with the air for a camera in space") {
+    const AtmosphereParameters air = presets::earth();
+    std::vector<Rgb> seen[2];
+    const std::vector<glm::dvec3> views = directions();
+    for (const FogSettings::Sky end : {FogSettings::Sky::top_of_air, FogSettings::Sky::infinity}) {
+        physics::SkyOptions options = of(one_colour(end));
+        options.beyond = 3;
+        Sky sky(cpu_float(), air, options);
+        sky.stand(1e6, sun_at(50 * degree));
+        seen[end == FogSettings::Sky::infinity ? 1 : 0] = sky.radiance(views);
+    }
+    for (std::size_t i = 0; i < views.size(); ++i) CHECK(seen[0][i] == seen[1][i]);
+}
+
 TEST_CASE("fog of one colour lets through exp(-density s) of what is behind it") {
     AtmosphereParameters air = presets::earth();
     const physics::Shell shell;

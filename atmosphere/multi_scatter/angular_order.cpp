@@ -32,7 +32,7 @@ std::vector<double> scattered_moments(const AtmosphereParameters& parameters) {
 int angular_order_for(const AtmosphereParameters& parameters, int most) {
     const std::vector<double> moments = scattered_moments(parameters);
     int order = 0;
-    for (const int next : {2, 4, 8}) {
+    for (const int next : {2, 4, 6, 8}) {
         const auto first = static_cast<std::size_t>(order) + 1;
         if (next > most || std::max(moments[first], moments[first + 1]) < negligible_moment) break;
         order = next;

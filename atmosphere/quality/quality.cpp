@@ -19,8 +19,8 @@ void check_nodes(const char* field, int count) { detail::check(field, count, 2, 
 
 void check_angular_order(const QualitySettings& s) {
     const int order = s.angular_order;
-    if (order == 0 || order == 2 || order == 4 || order == 8) return;
-    detail::reject("angular_order", std::to_string(order), "0, 2, 4 or 8");
+    if (order == 0 || order == 2 || order == 4 || order == 6 || order == 8) return;
+    detail::reject("angular_order", std::to_string(order), "0, 2, 4, 6 or 8");
 }
 
 }  // namespace

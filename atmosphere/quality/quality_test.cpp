@@ -91,9 +91,9 @@ TEST_CASE("quality: every choice") {
     };
     for (const std::uint32_t odd : {5u, 191u, 4095u})
         CHECK(rejected([&](auto& q) { q.sky_view.height = odd; }) == "sky_view.height");
-    for (const int order : {-1, 1, 3, 5, 6, 7, 9, 16})
+    for (const int order : {-1, 1, 3, 5, 7, 9, 16})
         CHECK(rejected([&](auto& q) { q.angular_order = order; }) == "angular_order");
-    for (const int order : {0, 2, 4, 8}) CHECK(rejected([&](auto& q) { q.angular_order = order; }) == "nothing");
+    for (const int order : {0, 2, 4, 6, 8}) CHECK(rejected([&](auto& q) { q.angular_order = order; }) == "nothing");
     for (const rhi::Format format : {rhi::Format::undefined, rhi::Format::r32_float, rhi::Format::rgba8_unorm}) {
         CHECK(rejected([&](auto& q) { q.table_format = format; }) == "table_format");
         CHECK(rejected([&](auto& q) { q.froxel_format = format; }) == "froxel_format");

@@ -20,7 +20,7 @@ struct QualitySettings {
     int transmittance_nodes = 8;            ///< Gauss nodes a ray, in [2, 16].
 
     rhi::Extent multi_scatter{24, 12, 1};  ///< Sun-cosine x altitude nodes. Each in [2, 256].
-    int angular_order = 4;                 ///< L of the moments: 0 (mean alone), 2, 4 or 8; (L+1)(L+2)/2 layers.
+    int angular_order = 4;                 ///< L of the moments: 0 (mean alone), 2, 4, 6 or 8; (L+1)(L+2)/2 layers.
     bool angular_order_as_needed = true;   ///< Take a lower order for air that makes no use of more (angular_order.h), and
                                            ///< more directions where the order is high: set_parameters may then make pipelines.
     int multi_scatter_zenith = 5;          ///< Gauss directions on each side of the horizon, in [2, 16].

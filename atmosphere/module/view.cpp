@@ -253,6 +253,7 @@ rhi::Texture View::light_table() const noexcept { return impl_->tables->light.ta
 rhi::Buffer View::air_block() const noexcept { return impl_->tables->shared.air.block.handle; }
 rhi::Buffer View::view_block() const noexcept { return impl_->tables->block_buffer.handle; }
 rhi::Texture View::phase_table() const noexcept { return impl_->tables->shared.air.phase_table.handle; }
+rhi::Texture View::profile_table() const noexcept { return impl_->tables->shared.air.profile_table.handle; }
 std::string View::shader_defines() const {
     std::string text;
     const detail::ModelView& model = *impl_->tables->model;

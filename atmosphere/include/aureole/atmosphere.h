@@ -229,9 +229,10 @@ public:
     /// For a host's own shaders that include <aureole/glsl/aureole.glsl>: "#define AUREOLE_SPEC_<id> <value>" lines that go
     /// before it, and what to bind beside the tables. Valid until the structure of the air changes (set_parameters).
     [[nodiscard]] std::string shader_defines() const;
-    [[nodiscard]] rhi::Buffer air_block() const noexcept;     ///< Uniform block, State::constants after the first record.
-    [[nodiscard]] rhi::Buffer view_block() const noexcept;    ///< Uniform block, State::constants after the first record.
-    [[nodiscard]] rhi::Texture phase_table() const noexcept;  ///< State::sampled after Atmosphere::record.
+    [[nodiscard]] rhi::Buffer air_block() const noexcept;       ///< Uniform block, State::constants after the first record.
+    [[nodiscard]] rhi::Buffer view_block() const noexcept;      ///< Uniform block, State::constants after the first record.
+    [[nodiscard]] rhi::Texture phase_table() const noexcept;    ///< State::sampled after Atmosphere::record.
+    [[nodiscard]] rhi::Texture profile_table() const noexcept;  ///< State::sampled after Atmosphere::record. For aureole_march.
 
     struct Impl;
     [[nodiscard]] Impl& impl() const noexcept { return *impl_; }

@@ -148,7 +148,7 @@ AureoleBeam aureole_march(int sun, vec3 direction, real begin_m, real end_m, int
     ViewDirection v = view_direction(direction);
     real entry = distance_to_air(v);
     real before = max(entry, real(0));
-    Ray ray = beam_ray(v, entry, sun, dot(direction, vec3(view.sun_direction[sun])));
+    Ray ray = camera_air_ray(v, entry, sun, dot(direction, vec3(view.sun_direction[sun])));
     real begin = clamp(begin_m * real(0.001) - before, real(0), ray.end);
     real step_km = (clamp(end_m * real(0.001) - before, begin, ray.end) - begin) / real(samples);
     AureoleBeam result;

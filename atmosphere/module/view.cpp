@@ -190,7 +190,12 @@ void View::set_exposure(double exposure) {
 void View::set_shadow_map(const ShadowMap& map) {
     Impl& impl = *impl_;
     detail::validate(map, impl.settings.shadows, impl.settings.max_suns, impl.air.device);
-    impl.tables->shadows.use_map(map.texture);
+    detail::ViewTables& tables = *impl.tables;
+    if (map.texture != tables.shadows.map()) {
+        auto composites = tables.composite.prepared_with(map.texture);
+        tables.shadows.use_map(map.texture);
+        tables.composite.use(std::move(composites));
+    }
     impl.shadow_map = map;
     impl.shadows_stale = true;  // what it shows is another picture, as far as anyone knows
     impl.refresh();

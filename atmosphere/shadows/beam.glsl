@@ -1,21 +1,11 @@
 // What the air of a ray scatters of a sun's direct beam towards the camera, slab by slab: of this the march of the shadows pass and
-// that of a host's shader (host/aureole.glsl) are made. Needs `atm`, `view`, and the functions of transmittance/transmittance.glsl.
+// that of a host's shader (host/aureole.glsl) are made. Needs `atm` and the functions of transmittance/transmittance.glsl.
 #ifndef AUREOLE_SHADOWS_BEAM_GLSL
 #define AUREOLE_SHADOWS_BEAM_GLSL
 
 #include "common/slab.glsl"
-#include "common/view_ray.glsl"
+#include "common/geometry.glsl"
 #include "medium/medium.glsl"
-
-// The ray of a direction from where it enters the air, `entry` (distance_to_air), up to the ground or the top: behind the ground
-// nothing is scattered that anyone sees. Without length where it misses the air.
-Ray beam_ray(ViewDirection direction, real entry, int sun, real nu) {
-    Ray ray = air_ray(direction, max(entry, real(0)), sun, nu);
-    ray.ground = hits_ground(ray.altitude, ray.mu);
-    ray.end = ray.ground ? distance_to_ground(ray.altitude, ray.mu) : distance_to_top(ray.altitude, ray.mu);
-    if (entry < 0) ray.end = real(0);
-    return ray;
-}
 
 // A slab of air as constant as it is at t, behind air of optical depth `depth`; as the froxels of aerial perspective have them.
 struct BeamSlab {

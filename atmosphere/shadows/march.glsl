@@ -2,32 +2,10 @@
 #ifndef AUREOLE_SHADOWS_MARCH_GLSL
 #define AUREOLE_SHADOWS_MARCH_GLSL
 
+#include "common/view_ray.glsl"
 #include "shadows/beam.glsl"
 #include "shadows/shadows.glsl"
-
-// 1 where the shadowed sun's beam reaches a point, 0 where the map is nearer to the sun. The point is relative to the camera, km,
-// world axes: small numbers, in which floats are exact.
-real sun_visibility(vec3 point) {
-    vec4 place = vec4(point, real(1));
-    ivec2 size = textureSize(shadow_map, 0);
-    int width = size.x / SHADOW_CASCADES;
-    bool found = false;
-    real lit = real(1);
-    for (int i = 0; i < SHADOW_CASCADES; ++i) {
-        real w = dot(shadow.world_to_map[4 * i + 3], place);
-        real u = dot(shadow.world_to_map[4 * i], place) / w;
-        real v = dot(shadow.world_to_map[4 * i + 1], place) / w;
-        real depth = dot(shadow.world_to_map[4 * i + 2], place) / w;
-        bool inside = w > 0 && u >= 0 && u < 1 && v >= 0 && v < 1 && depth >= 0 && depth <= 1;
-        if (inside && !found) {
-            ivec2 texel = ivec2(i * width + min(int(u * real(width)), width - 1), min(int(v * real(size.y)), size.y - 1));
-            real behind = shadow.depth.x * (depth - texelFetch(shadow_map, texel, 0).x);
-            lit = behind > shadow.depth.y ? real(0) : real(1);
-            found = true;
-        }
-    }
-    return lit;
-}
+#include "shadows/visibility.glsl"
 
 LOCAL_SIZE(8, 8, 1)
 
@@ -41,7 +19,7 @@ COMPUTE_MAIN(id) {
     ViewDirection direction = view_direction(pixel.direction);
     real entry = distance_to_air(direction);
     // Up to the ground: below it there is nothing to lose, and the sky's pixels show the ground.
-    Ray ray = beam_ray(direction, entry, sun, dot(pixel.direction, vec3(view.sun_direction[sun])));
+    Ray ray = camera_air_ray(direction, entry, sun, dot(pixel.direction, vec3(view.sun_direction[sun])));
 
     vec3 depth = vec3(real(0));
     vec3 loss = vec3(real(0));

@@ -166,7 +166,8 @@ struct CompositeTargets {
                                  ///< CompositeSettings::scene_depth, else ignored.
     rhi::Texture target{};       ///< Every texel of it is written. Not scene_color.
     /// Optional rgba32_float texture of the target's size, State::sampled: world directions (xyz, of any length) that replace
-    /// the camera's rays; for tools that probe single directions. A zero vector gives black.
+    /// the camera's rays; for tools that probe single directions. A zero vector gives black. Not with ViewSettings::shadows,
+    /// which are found along the camera's rays: Error(unsupported).
     rhi::Texture directions{};
     rhi::Extent extent{};  ///< Of the target, texels. Width and height in [1, Capabilities::max_texture_2d]; depth is ignored.
                            ///< Another size than the textures' is rejected if the device knows theirs (Device::find).

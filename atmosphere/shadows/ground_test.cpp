@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <span>
 
 using namespace aureole;
 using namespace aureole::passes;
@@ -126,7 +127,7 @@ TEST_CASE("ground shadows: with hardly any air a pixel is black or as ever, at o
     for (const ModelPtr& model : models) check(*backends.single, model);
     check(*backends.exact, nullptr);
     if (backends.vulkan)
-        for (const ModelPtr& model : models) check(*backends.vulkan, model);
+        for (const ModelPtr& model : std::span(models).first(3)) check(*backends.vulkan, model);  // drivers compile slowly
 }
 
 TEST_CASE("ground shadows: the sky's light on the ground is left") {

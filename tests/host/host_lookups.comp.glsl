@@ -7,7 +7,7 @@ real stripes(vec3 offset_m) { return clamp(real(0.5) + 10 * (abs(fract(offset_m.
 #include "host/aureole.glsl"
 
 SAMPLER_2D(8, questions)  // 0: direction, distance in metres; 1: place on the target, sun, beginning of the march; 2: offset in metres,
-                          // samples of the march
+                          // samples of the march plus their jitter
 IMAGE_2D(9, answers)      // columns as below
 LOCAL_SIZE(32, 1, 1)
 
@@ -19,8 +19,8 @@ COMPUTE_MAIN(id) {
     vec3 direction = vec3(ray);
     int sun = int(place.z);
     AureoleAir air = aureole_aerial_perspective(place.x, place.y, ray.w, direction);
-    int samples = int(texelFetch(questions, ivec2(2, id.x), 0).w);
-    AureoleBeam beam = aureole_march(sun, direction, place.w, ray.w, samples, real(0.5));
+    real samples = texelFetch(questions, ivec2(2, id.x), 0).w;
+    AureoleBeam beam = aureole_march(sun, direction, place.w, ray.w, int(samples), fract(samples));
 
     imageStore(answers, ivec2(0, id.x), vec4(aureole_sky(direction), real(1)));
     imageStore(answers, ivec2(1, id.x), vec4(aureole_sky_transmittance(direction), real(1)));

@@ -49,7 +49,7 @@ void main() {
     vec3 atm = questions[3 * view + 2].xyz;
     int sun = int(place.z);
     AureoleAir air = aureole_aerial_perspective(place.x, place.y, ray.w, ray.xyz);
-    AureoleBeam beam = aureole_march(sun, ray.xyz, place.w, ray.w, int(questions[3 * view + 2].w), 0.5);
+    AureoleBeam beam = aureole_march(sun, ray.xyz, place.w, ray.w, int(questions[3 * view + 2].w), fract(questions[3 * view + 2].w));
     uint at = COLUMNS * view;
     answers[at] = vec4(aureole_sky(ray.xyz), 1);
     answers[at + 1] = vec4(aureole_sky_transmittance(ray.xyz), 1);

@@ -63,6 +63,17 @@ TEST_CASE("march: the air's transmittance is that of the medium, straight up, an
                 (end - begin) / double{steps};
         const std::vector<Question> up = {march({0, 0, 1}, begin, end, 200)};
         const Rgb got = ask(shown.rig, up)[0].march_transmittance;
+        // As few samples as a host takes: each slab as it is where it is sampled.
+        std::vector<Question> few = {march({0, 0, 1}, begin, end, 8)};
+        few[0].jitter = 0.25;
+        Rgb slabs(0);
+        for (int k = 0; k < few[0].samples; ++k)
+            slabs +=
+                sample_medium(scene.setup.air, scene.altitude_m + begin + (end - begin) * (k + few[0].jitter) / few[0].samples)
+                    .extinction_per_m *
+                (end - begin) / double(few[0].samples);
+        const Rgb coarse = ask(shown.rig, few)[0].march_transmittance;
+        for (int c = 0; c < 3; ++c) CHECK(coarse[c] == doctest::Approx(std::exp(-slabs[c])).epsilon(1e-5));
         for (int c = 0; c < 3; ++c) CHECK(got[c] == doctest::Approx(std::exp(-depth[c])).epsilon(2e-4));
     }
     for (const double altitude : {2.0, 4e5}) {

@@ -37,7 +37,7 @@ std::vector<glm::dvec4> encode(std::span<const Question> questions) {
     for (const Question& q : questions) {
         texels.emplace_back(q.direction, q.distance_m);
         texels.emplace_back(q.place, q.sun, q.begin_m);
-        texels.emplace_back(q.offset_m, q.samples);
+        texels.emplace_back(q.offset_m, q.samples + q.jitter);
     }
     return texels;
 }
@@ -123,6 +123,7 @@ std::vector<Question> assorted(int count, int suns) {
         q.sun = i % suns;
         q.begin_m = q.distance_m * (i % 3) / 4;
         q.samples = 1 + i % 5;
+        q.jitter = 0.125 * (i % 7);
         const double reach = std::pow(10.0, 5.3 * std::fmod(0.271 * i, 1.0));
         q.offset_m = reach * directions[static_cast<std::size_t>((7 * i) % count)];
         questions.push_back(q);

@@ -16,8 +16,9 @@ struct Question {
     glm::dvec2 place{0.5, 0.5};  ///< On the target.
     int sun = 0;
     glm::dvec3 offset_m{0, 0, 0};
-    double begin_m = 0;  ///< Of the march, which ends at the distance.
-    int samples = 4;     ///< Of the march.
+    double begin_m = 0;   ///< Of the march, which ends at the distance.
+    int samples = 4;      ///< Of the march.
+    double jitter = 0.5;  ///< Of its samples, in [0, 1).
 };
 
 /// In the order of the columns of host_lookups.comp.glsl.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
 
 #include "host/compare.h"
 #include "host/scenes.h"
@@ -122,6 +123,22 @@ TEST_CASE("march: segments behind one another are one") {
             CHECK(a[0].march_radiance[c] > 0);
         }
     }
+}
+
+TEST_CASE("march: from space the host's function is asked where the air is") {
+    const Scene orbit = scenes()[3];
+    Shown shown(open_cpu_double(), orbit);
+    shown.rig.record_view(orbit.camera, sun_at(60));
+    // Down to the middle of a dark stripe, and of a lit one; what scatters light lies within 1 km of there.
+    const auto seen = [&](double x) {
+        const std::vector<Question> down = {march(glm::normalize(glm::dvec3(x, 0, -orbit.altitude_m)), 0, 1e6, 200)};
+        return ask(shown.rig, down)[0];
+    };
+    const Answer dark = seen(10e3), lit = seen(20e3);
+    CHECK(lit.march_radiance.b > 0.02);
+    CHECK(lit.march_loss.b < 1e-3 * lit.march_radiance.b);
+    CHECK(dark.march_radiance.b < 1e-3 * lit.march_radiance.b);
+    CHECK(dark.march_loss.b == doctest::Approx(lit.march_radiance.b).epsilon(0.01));
 }
 
 TEST_CASE("march: with the host's function as with a shadow map that says the same, on every backend") {

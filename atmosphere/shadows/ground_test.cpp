@@ -132,7 +132,8 @@ TEST_CASE("ground shadows: with hardly any air a pixel is black or as ever, at o
 
 TEST_CASE("ground shadows: the sky's light on the ground is left") {
     const auto backend = open_cpu_float();
-    const AtmosphereParameters air = presets::earth();
+    AtmosphereParameters air = presets::earth();
+    air.planet.ground_albedo = Rgb(0.4);
     const ModelPtr all = models::aureole(QualitySettings::standard()), once = models::single_lut({});
     Rig shadowed(*backend, setup_of(all, true, air)), plain(*backend, setup_of(all, false, air)),
         single(*backend, setup_of(once, false, air)), single_dark(*backend, setup_of(once, true, air));
@@ -140,7 +141,7 @@ TEST_CASE("ground shadows: the sky's light on the ground is left") {
     single_dark.view.set_shadow_map(dark_from(*backend, -50e3));
     const auto green = [&](Rig& rig) {
         rig.record_air();
-        rig.record_view(down(1e3, 0.6), sun_at(40));
+        rig.record_view(down(5e3, 0.6), sun_at(40));
         return rig.show(size).at(4, 0).g;
     };
     const double lit = green(plain), lit_once = green(single);

@@ -74,8 +74,8 @@ TEST_CASE("march: the air's transmittance is that of the medium, straight up, an
                     .extinction_per_m *
                 (end - begin) / double(few[0].samples);
         const Rgb coarse = ask(shown.rig, few)[0].march_transmittance;
-        for (int c = 0; c < 3; ++c) CHECK(coarse[c] == doctest::Approx(std::exp(-slabs[c])).epsilon(1e-5));
-        for (int c = 0; c < 3; ++c) CHECK(got[c] == doctest::Approx(std::exp(-depth[c])).epsilon(2e-4));
+        for (int c = 0; c < 3; ++c) CHECK(coarse[c] == doctest::Approx(std::exp(-slabs[c])).scale(0).epsilon(1e-5));
+        for (int c = 0; c < 3; ++c) CHECK(got[c] == doctest::Approx(std::exp(-depth[c])).scale(0).epsilon(2e-4));
     }
     for (const double altitude : {2.0, 4e5}) {
         Scene scene = noon();
@@ -106,19 +106,19 @@ TEST_CASE("march: segments behind one another are one") {
         INFO(scene.name);
         Shown shown(open_cpu_double(), scene);
         const glm::dvec3 direction = scene.altitude_m < 1e5 ? glm::dvec3{0.8, 0, 0.6} : glm::dvec3{0.8, 0, -0.6};
-        const double start = scene.altitude_m < 1e5 ? 0 : 5e5;
+        const double start = scene.altitude_m < 1e5 ? 0 : 6e5;
         const std::vector<Question> questions = {march(direction, start, start + 3e4, 12),
                                                  march(direction, start + 3e4, start + 9e4, 24),
                                                  march(direction, start, start + 9e4, 36)};
         const std::vector<Answer> a = ask(shown.rig, questions);
         for (int c = 0; c < 3; ++c) {
             const auto joined = [&](Rgb Answer::*part) {
-                return doctest::Approx((a[0].*part)[c] + a[0].march_transmittance[c] * (a[1].*part)[c]).epsilon(1e-6);
+                return doctest::Approx((a[0].*part)[c] + a[0].march_transmittance[c] * (a[1].*part)[c]).scale(0).epsilon(1e-6);
             };
             CHECK(a[2].march_radiance[c] == joined(&Answer::march_radiance));
             CHECK(a[2].march_loss[c] == joined(&Answer::march_loss));
             CHECK(a[2].march_transmittance[c] ==
-                  doctest::Approx(a[0].march_transmittance[c] * a[1].march_transmittance[c]).epsilon(1e-6));
+                  doctest::Approx(a[0].march_transmittance[c] * a[1].march_transmittance[c]).scale(0).epsilon(1e-6));
             CHECK(a[1].march_loss[c] > 0);
             CHECK(a[0].march_radiance[c] > 0);
         }
@@ -138,7 +138,7 @@ TEST_CASE("march: from space the host's function is asked where the air is") {
     CHECK(lit.march_radiance.b > 0.02);
     CHECK(lit.march_loss.b < 1e-3 * lit.march_radiance.b);
     CHECK(dark.march_radiance.b < 1e-3 * lit.march_radiance.b);
-    CHECK(dark.march_loss.b == doctest::Approx(lit.march_radiance.b).epsilon(0.01));
+    CHECK(dark.march_loss.b == doctest::Approx(lit.march_radiance.b).scale(0).epsilon(0.02));
 }
 
 TEST_CASE("march: with the host's function as with a shadow map that says the same, on every backend") {

@@ -10,6 +10,8 @@ real sun_visibility(vec3 point) {
     vec4 place = vec4(point, real(1));
     ivec2 size = textureSize(shadow_map, 0);
     int width = size.x / SHADOW_CASCADES;
+    // One look after the loop, and places compared before they are divided: with both inside, lavapipe of Mesa 22.3 crashed as it ran the
+    // composite of single-lut.
     int cascade = -1;
     vec3 at = vec3(real(0));  // u, v, depth
     for (int i = SHADOW_CASCADES - 1; i >= 0; --i) {  // the finest one that has the point is the last to speak

@@ -227,7 +227,8 @@ TEST_CASE("composite: every permutation is a pipeline of the CPU device") {
     for (std::size_t f = 0; f < formats.size(); ++f)
         for (const bool draws : {false, true}) kinds += takes(backend->device(), f, draws) ? 1 : 0;
     CHECK(kinds >= 6);
-    CHECK(made == kinds * 64 * 2 * 3 * 4 * 2 * 2 * qualities.size() * 3 / 4);  // with light there are shadows, and no directions
+    CHECK(made ==
+          kinds * 64 * 2 * 3 * 4 * 2 * 2 * qualities.size() * 3 / 4);  // with light there are shadows, and no directions
 }
 
 TEST_CASE("composite: on Vulkan every two choices meet in a pipeline that draws") {

@@ -84,4 +84,14 @@ Ray air_ray(ViewDirection v, real entry, int sun, real nu) {
     return ray;
 }
 
+// The camera's ray through the air, from where it enters it (distance_to_air) to the ground or the top; without length where it
+// misses it.
+Ray camera_air_ray(ViewDirection v, real entry, int sun, real nu) {
+    Ray ray = air_ray(v, max(entry, real(0)), sun, clamp(nu, real(-1), real(1)));
+    ray.ground = sine_above_horizon(v) < 0;
+    ray.end = ray.ground ? distance_to_ground(ray.altitude, ray.mu) : distance_to_top(ray.altitude, ray.mu);
+    if (entry < 0) ray.end = real(0);
+    return ray;
+}
+
 #endif

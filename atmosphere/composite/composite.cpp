@@ -43,7 +43,10 @@ rhi::Pipeline CompositePass::pipeline(bool given_directions) {
     values.set(19, settings_.sun_disk).set(20, static_cast<int>(settings_.tone_map)).set(21, settings_.encode_srgb);
     values.set(22, settings_.dither).set(23, given_directions);
     values.set(37, settings_.sun_lobe_g > 0).set(38, shadows_.enabled());
-    if (shadows_.enabled()) values.set(39, static_cast<int>(shadows_.settings().size.depth));
+    if (shadows_.enabled()) {
+        values.set(39, static_cast<int>(shadows_.settings().size.depth));
+        values.set(40, static_cast<int>(shadows_.settings().cascades));
+    }
     return settings_.raster ? shared_.objects.raster(*shader_, values.values(), settings_.target_format)
                             : shared_.objects.compute(*shader_, values.values());
 }
@@ -55,6 +58,9 @@ void CompositePass::check(const CompositeTargets& targets) const {
     need(true, targets.target, "targets.target");
     need(settings_.scene_color, targets.scene_color, "targets.scene_color");
     need(settings_.scene_depth, targets.scene_depth, "targets.scene_depth");
+    if (targets.directions && shadows_.enabled())
+        throw Error(ErrorCode::unsupported, "targets.directions", "a texture",
+                    "null with ViewSettings::shadows, which are found along the rays of the camera alone");
     detail::check("targets.extent.width", targets.extent.width, 1, shared_.objects.device().capabilities().max_texture_2d);
     detail::check("targets.extent.height", targets.extent.height, 1, shared_.objects.device().capabilities().max_texture_2d);
     check_sizes(targets);
@@ -79,7 +85,7 @@ void CompositePass::check_sizes(const CompositeTargets& targets) const {
     same(targets.directions, "targets.directions");
 }
 
-rhi::BindingSet CompositePass::bind(Objects& objects, const CompositeTargets& targets, rhi::Pipeline pipeline) const {
+CompositePass::Prepared CompositePass::bind(const CompositeTargets& targets, rhi::Texture shadow_map, std::uint64_t use) const {
     AirResources& air = shared_.air;
     // Slots that the settings leave unread still need a readable texture.
     const auto or_blank = [&](rhi::Texture texture) { return texture ? texture : air.profile_table.handle; };
@@ -92,18 +98,20 @@ rhi::BindingSet CompositePass::bind(Objects& objects, const CompositeTargets& ta
                                {8, or_blank(targets.directions), air.nearest, {}},
                                {9, targets.target, {}, {}},
                                {10, air.profile_table.handle, air.nearest, {}},
-                               {12, or_blank(shadows_.table().handle), shadows_.enabled() ? air.linear : air.nearest, {}}});
-    return objects.bindings("composite", pipeline, bindings_of(*shader_, slots));
+                               {12, or_blank(shadows_.table().handle), shadows_.enabled() ? air.linear : air.nearest, {}},
+                               {13, or_blank(shadow_map), air.nearest, {}},
+                               {14, {}, {}, shadows_.enabled() ? shadows_.block() : shared_.block.handle}});
+    auto objects = shared_.objects.sibling();
+    const rhi::BindingSet set =
+        objects->bindings("composite", pipelines_[targets.directions ? 1 : 0], bindings_of(*shader_, slots));
+    return {targets, std::move(objects), set, use};
 }
 
 void CompositePass::prepare(const CompositeTargets& targets) {
     check(targets);
     if (find(targets) != nullptr) return;
-    const bool given = static_cast<bool>(targets.directions);
-    if (!pipelines_[given ? 1 : 0]) pipelines_[1] = pipeline(true);
-    auto objects = shared_.objects.sibling();
-    const rhi::BindingSet set = bind(*objects, targets, pipelines_[given ? 1 : 0]);
-    prepared_.push_back({targets, std::move(objects), set, ++uses_});
+    if (targets.directions && !pipelines_[1]) pipelines_[1] = pipeline(true);
+    prepared_.push_back(bind(targets, shadows_.map(), ++uses_));
     if (prepared_.size() <= max_prepared) return;
     const auto oldest = std::min_element(prepared_.begin(), prepared_.end(),
                                          [](const Prepared& a, const Prepared& b) { return a.last_used < b.last_used; });
@@ -115,6 +123,13 @@ void CompositePass::prepare_as(const CompositePass& other) {
     for (const Prepared& p : other.prepared_) order.push_back(&p);
     std::sort(order.begin(), order.end(), [](const Prepared* a, const Prepared* b) { return a->last_used < b->last_used; });
     for (const Prepared* p : order) prepare(p->targets);
+}
+
+std::vector<CompositePass::Prepared> CompositePass::prepared_with(rhi::Texture shadow_map) const {
+    std::vector<Prepared> fresh;
+    fresh.reserve(prepared_.capacity());
+    for (const Prepared& p : prepared_) fresh.push_back(bind(p.targets, shadow_map, p.last_used));
+    return fresh;
 }
 
 void CompositePass::release(const CompositeTargets& targets) noexcept {

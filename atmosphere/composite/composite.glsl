@@ -12,6 +12,11 @@
 #include "phase/phase.glsl"
 #define AUREOLE_SHADOW_TABLE
 #include "shadows/shadows.glsl"
+#ifdef AUREOLE_OPTICAL_DEPTH_TO_TOP
+#include "shadows/ground.glsl"
+#else
+vec3 ground_shadow_loss(vec3, ViewDirection) { return vec3(real(0)); }  // a model that knows no beam of the sun
+#endif
 
 // A model whose sky differs from pixel to pixel in more than direction says otherwise.
 #ifndef AUREOLE_SKY_RADIANCE
@@ -62,14 +67,17 @@ vec3 pixel_radiance(ivec2 pixel) {
     if (distance_km < 0) {
         if (SUN_DISK) color += disks(ray.direction);
         color = AUREOLE_SKY_RADIANCE(pixel, ray.direction, v, color);
-        if (SHADOWS && !GIVEN_DIRECTIONS) color = max(color - shadow_loss(x, y, real(-1), ray.direction), vec3(real(0)));
+        if (SHADOWS) {
+            vec3 loss = shadow_loss(x, y, real(-1), ray.direction) + ground_shadow_loss(ray.direction, v);
+            color = max(color - loss, vec3(real(0)));
+        }
         return color;
     }
     if (!AERIAL_PERSPECTIVE) return color;
     real entry = distance_to_air(v);
     if (entry < 0 || distance_km < entry) return color;
     AerialPerspective air = aerial_perspective(x, y, distance_km - entry, ray.direction);
-    if (SHADOWS && !GIVEN_DIRECTIONS)
+    if (SHADOWS)
         air.radiance = max(air.radiance - shadow_loss(x, y, distance_km - entry, ray.direction), vec3(real(0)));
     return color * air.transmittance + air.radiance;
 }

@@ -20,6 +20,16 @@ public:
     void prepare(const CompositeTargets& targets);
     /// Makes bindings for all textures that the other pass is prepared for, longest unused first.
     void prepare_as(const CompositePass& other);
+
+    struct Prepared {
+        CompositeTargets targets;
+        std::unique_ptr<Objects> objects;
+        rhi::BindingSet bindings;
+        std::uint64_t last_used = 0;
+    };
+    /// The bindings anew, for another shadow map; to be used once the map is.
+    [[nodiscard]] std::vector<Prepared> prepared_with(rhi::Texture shadow_map) const;
+    void use(std::vector<Prepared> fresh) noexcept { prepared_ = std::move(fresh); }
     void release(const CompositeTargets& targets) noexcept;
     [[nodiscard]] bool prepared(const CompositeTargets& targets) noexcept { return find(targets) != nullptr; }
     void record(rhi::CommandList& commands, const CompositeTargets& targets, std::uint64_t frame, PassReport& report,
@@ -28,15 +38,9 @@ public:
     static constexpr std::size_t max_prepared = 16;
 
 private:
-    struct Prepared {
-        CompositeTargets targets;
-        std::unique_ptr<Objects> objects;
-        rhi::BindingSet bindings;
-        std::uint64_t last_used = 0;
-    };
     [[nodiscard]] Prepared* find(const CompositeTargets& targets) noexcept;
     [[nodiscard]] rhi::Pipeline pipeline(bool given_directions);
-    [[nodiscard]] rhi::BindingSet bind(Objects& objects, const CompositeTargets& targets, rhi::Pipeline pipeline) const;
+    [[nodiscard]] Prepared bind(const CompositeTargets& targets, rhi::Texture shadow_map, std::uint64_t use) const;
     void check(const CompositeTargets& targets) const;
     void check_sizes(const CompositeTargets& targets) const;
 

@@ -1,5 +1,5 @@
 // What every composite kernel reads, whichever model's sky it shows. Slots 2 to 4 and from 10 on are the model's: 10 the profile
-// table (AUREOLE_PROFILE_TABLE), if it marches; 12 is taken.
+// table (AUREOLE_PROFILE_TABLE), if it marches; 12 to 14 are taken.
 #ifndef AUREOLE_COMPOSITE_INPUTS_GLSL
 #define AUREOLE_COMPOSITE_INPUTS_GLSL
 
@@ -15,6 +15,8 @@ SAMPLER_2D(5, scene_color)
 SAMPLER_2D(6, scene_depth)
 SAMPLER_2D(8, directions)
 SAMPLER_2D(12, shadow_table)
+SAMPLER_2D(13, shadow_map)
+UNIFORMS(14, ShadowBlock, shadow)
 
 SPEC_BOOL(16, SCENE_COLOR, false)
 SPEC_BOOL(17, SCENE_DEPTH, false)

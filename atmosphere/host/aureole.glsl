@@ -9,7 +9,7 @@
 //     #include "aureole.glsl"
 //
 // Bind to the slots below: the uniform blocks View::air_block() and View::view_block(), the tables of Atmosphere and View with a
-// linear, clamping sampler, and View::phase_table() with a nearest one. What a shader never calls needs no binding.
+// linear, clamping sampler, View::phase_table() and profile_table() with a nearest one. What a shader never calls needs no binding.
 //
 // Directions are unit vectors in the camera's world axes; offsets are metres from the camera, along the same axes. Radiance and
 // irradiance come in the unit of Sun::irradiance (parameters.h), without the composite's exposure. Usable in any shader stage.
@@ -26,12 +26,17 @@
 #define AUREOLE_SLOT_LIGHT 5
 #define AUREOLE_SLOT_PHASES 6
 #endif
+// And this one, if it marches (AUREOLE_SUN_VISIBILITY below).
+#ifndef AUREOLE_SLOT_PROFILES
+#define AUREOLE_SLOT_PROFILES 7
+#endif
 
 #include "common/constants.glsl"
 #include "common/blocks.glsl"
 #include "common/specialization.glsl"
 
 #define AUREOLE_PHASE_TABLE AUREOLE_SLOT_PHASES
+#define AUREOLE_PROFILE_TABLE AUREOLE_SLOT_PROFILES
 #define AUREOLE_TRANSMITTANCE_TABLE
 #define AUREOLE_SKY_VIEW_TABLE
 #define AUREOLE_AERIAL_PERSPECTIVE_TABLE
@@ -50,6 +55,9 @@ SPEC_BOOL(25, HAS_FROXELS, true)  // ViewSettings::aerial_perspective
 #include "aerial_perspective/aerial_perspective.glsl"
 #include "light/harmonics.glsl"
 #include "light/sun.glsl"
+#ifdef AUREOLE_SUN_VISIBILITY
+#include "shadows/beam.glsl"
+#endif
 
 // Radiance of the sky (below the horizon: of the bare ground) that the camera sees in a direction, without the suns' disks.
 vec3 aureole_sky(vec3 direction) {
@@ -122,5 +130,46 @@ vec3 aureole_sky_irradiance(vec3 normal) {
             irradiance += vec3(texelFetch(light_table, ivec2(i, sun), 0)) * harmonic_irradiance(i, normal);
     return max(irradiance, vec3(real(0)));
 }
+
+// Shadows of the host's own making. A host that says, before the include,
+//     #define AUREOLE_SUN_VISIBILITY(offset_m) <share of the sun's beam that gets there, in [0, 1]: float or vec3>
+// gets a march along a ray that asks it for every sample: its shadow maps, its clouds, its ray tracing.
+#ifdef AUREOLE_SUN_VISIBILITY
+struct AureoleBeam {
+    vec3 transmittance;  // of the air of the segment
+    vec3 radiance;       // what it scatters towards the camera of the sun's direct beam, where AUREOLE_SUN_VISIBILITY lets that through
+    vec3 loss;           // what it would scatter besides, were nothing in shadow
+};
+
+// The segment from begin_m to end_m of a ray of the camera, of which the part in the air counts, before the ground. As from its
+// beginning, so that segments put behind one another are one: radiance += transmittance * next.radiance, transmittance *= next.transmittance.
+// Evenly cut into `samples` (>= 1) slabs, each sampled at `jitter` of its length, in [0, 1): 0.5, or noise of the pixel and frame.
+AureoleBeam aureole_march(int sun, vec3 direction, real begin_m, real end_m, int samples, real jitter) {
+    ViewDirection v = view_direction(direction);
+    real entry = distance_to_air(v);
+    real before = max(entry, real(0));
+    Ray ray = camera_air_ray(v, entry, sun, dot(direction, vec3(view.sun_direction[sun])));
+    real begin = clamp(begin_m * real(0.001) - before, real(0), ray.end);
+    real step_km = (clamp(end_m * real(0.001) - before, begin, ray.end) - begin) / real(samples);
+    AureoleBeam result;
+    result.radiance = vec3(real(0));
+    result.loss = vec3(real(0));
+    vec3 depth = vec3(real(0));
+    for (int k = 0; k < samples; ++k) {  // each pixel may have a number of its own, therefore two exits: see common/march.glsl
+        real t = begin + (real(k) + jitter) * step_km;
+        BeamSlab slab = beam_slab(ray, depth, t, step_km);
+        vec3 scattered = vec3(real(0));
+        for (int c = 0; c < PHASE_COUNT; ++c) scattered += slab.air.scattering[c] * phase_value(c, ray.nu);
+        scattered *= slab.beam * vec3(view.sun_irradiance[sun]);
+        vec3 lit = vec3(AUREOLE_SUN_VISIBILITY((direction * ((before + t) * real(1000)))));
+        result.radiance += lit * scattered;
+        result.loss += (vec3(real(1)) - lit) * scattered;
+        depth += slab.depth;
+        if (k + 1 >= samples) break;
+    }
+    result.transmittance = exp(-depth);
+    return result;
+}
+#endif
 
 #endif

@@ -190,7 +190,12 @@ void View::set_exposure(double exposure) {
 void View::set_shadow_map(const ShadowMap& map) {
     Impl& impl = *impl_;
     detail::validate(map, impl.settings.shadows, impl.settings.max_suns, impl.air.device);
-    impl.tables->shadows.use_map(map.texture);
+    detail::ViewTables& tables = *impl.tables;
+    if (map.texture != tables.shadows.map()) {
+        auto composites = tables.composite.prepared_with(map.texture);
+        tables.shadows.use_map(map.texture);
+        tables.composite.use(std::move(composites));
+    }
     impl.shadow_map = map;
     impl.shadows_stale = true;  // what it shows is another picture, as far as anyone knows
     impl.refresh();
@@ -253,6 +258,7 @@ rhi::Texture View::light_table() const noexcept { return impl_->tables->light.ta
 rhi::Buffer View::air_block() const noexcept { return impl_->tables->shared.air.block.handle; }
 rhi::Buffer View::view_block() const noexcept { return impl_->tables->block_buffer.handle; }
 rhi::Texture View::phase_table() const noexcept { return impl_->tables->shared.air.phase_table.handle; }
+rhi::Texture View::profile_table() const noexcept { return impl_->tables->shared.air.profile_table.handle; }
 std::string View::shader_defines() const {
     std::string text;
     const detail::ModelView& model = *impl_->tables->model;

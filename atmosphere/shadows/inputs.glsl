@@ -13,7 +13,6 @@ UNIFORMS(1, ViewBlock, view)
 UNIFORMS(2, ShadowBlock, shadow)
 SAMPLER_2D(5, shadow_map)
 IMAGE_2D(6, shadows_out)
-SPEC_INT(40, SHADOW_CASCADES, 1)
 SPEC_INT(41, SHADOW_SAMPLES, 1)
 
 #endif

@@ -2,34 +2,10 @@
 #ifndef AUREOLE_SHADOWS_MARCH_GLSL
 #define AUREOLE_SHADOWS_MARCH_GLSL
 
-#include "common/slab.glsl"
 #include "common/view_ray.glsl"
-#include "medium/medium.glsl"
+#include "shadows/beam.glsl"
 #include "shadows/shadows.glsl"
-
-// 1 where the shadowed sun's beam reaches a point, 0 where the map is nearer to the sun. The point is relative to the camera, km,
-// world axes: small numbers, in which floats are exact.
-real sun_visibility(vec3 point) {
-    vec4 place = vec4(point, real(1));
-    ivec2 size = textureSize(shadow_map, 0);
-    int width = size.x / SHADOW_CASCADES;
-    bool found = false;
-    real lit = real(1);
-    for (int i = 0; i < SHADOW_CASCADES; ++i) {
-        real w = dot(shadow.world_to_map[4 * i + 3], place);
-        real u = dot(shadow.world_to_map[4 * i], place) / w;
-        real v = dot(shadow.world_to_map[4 * i + 1], place) / w;
-        real depth = dot(shadow.world_to_map[4 * i + 2], place) / w;
-        bool inside = w > 0 && u >= 0 && u < 1 && v >= 0 && v < 1 && depth >= 0 && depth <= 1;
-        if (inside && !found) {
-            ivec2 texel = ivec2(i * width + min(int(u * real(width)), width - 1), min(int(v * real(size.y)), size.y - 1));
-            real behind = shadow.depth.x * (depth - texelFetch(shadow_map, texel, 0).x);
-            lit = behind > shadow.depth.y ? real(0) : real(1);
-            found = true;
-        }
-    }
-    return lit;
-}
+#include "shadows/visibility.glsl"
 
 LOCAL_SIZE(8, 8, 1)
 
@@ -42,11 +18,8 @@ COMPUTE_MAIN(id) {
     ViewRay pixel = view_ray(texel_to_unit(id.x, columns), texel_to_unit(id.y, rows));
     ViewDirection direction = view_direction(pixel.direction);
     real entry = distance_to_air(direction);
-    Ray ray = air_ray(direction, max(entry, real(0)), sun, dot(pixel.direction, vec3(view.sun_direction[sun])));
     // Up to the ground: below it there is nothing to lose, and the sky's pixels show the ground.
-    bool grounded = hits_ground(ray.altitude, ray.mu);
-    real leave = grounded ? distance_to_ground(ray.altitude, ray.mu) : distance_to_top(ray.altitude, ray.mu);
-    if (entry < 0) leave = real(0);
+    Ray ray = camera_air_ray(direction, entry, sun, dot(pixel.direction, vec3(view.sun_direction[sun])));
 
     vec3 depth = vec3(real(0));
     vec3 loss = vec3(real(0));
@@ -55,23 +28,19 @@ COMPUTE_MAIN(id) {
     real begin = real(0);
     for (int slice = 0; slice < SHADOW_SLICES; ++slice) {
         real position = texel_to_unit(slice, SHADOW_SLICES);
-        real end = min(position * position / view.froxels.z, leave);
+        real end = min(position * position / view.froxels.z, ray.end);
         real step_km = (end - begin) / real(SHADOW_SAMPLES);
-        // Slabs of constant air, as the froxels of aerial perspective have them.
         int k = 0;
         do {  // tested at the end: see common/march.glsl
             real t = begin + (real(k) + real(0.5)) * step_km;
-            real h = altitude_after(ray.altitude, ray.mu, t);
-            Medium air = sample_medium(h);
-            vec3 slab = air.extinction * step_km;
-            real dark = 1 - sun_visibility(pixel.direction * (max(entry, real(0)) + t));
-            vec3 beam = exp(-depth) * mean_transmittance(slab) * transmittance_to_sun(h, sun_mu_after(ray, t, h)) * (dark * step_km);
+            BeamSlab slab = beam_slab(ray, depth, t, step_km);
+            vec3 dark = slab.beam * (1 - sun_visibility(pixel.direction * (max(entry, real(0)) + t)));
             for (int c = 0; c < PHASE_COUNT; ++c) {
-                vec3 scattered = beam * air.scattering[c];
+                vec3 scattered = dark * slab.air.scattering[c];
                 if (phase_is_sharp(c)) sharp[c] += scattered;
                 else loss += scattered * phase_value(c, ray.nu);
             }
-            depth += slab;
+            depth += slab.depth;
             ++k;
         } while (k < SHADOW_SAMPLES);
         begin = end;

@@ -27,6 +27,8 @@ public:
     [[nodiscard]] bool enabled() const noexcept { return settings_.cascades > 0; }
     [[nodiscard]] const ShadowSettings& settings() const noexcept { return settings_; }
     [[nodiscard]] const TrackedTexture& table() const noexcept { return table_; }
+    [[nodiscard]] rhi::Texture map() const noexcept { return map_; }
+    [[nodiscard]] rhi::Buffer block() const noexcept { return block_.handle; }
     void record(rhi::CommandList& commands, const ShadowBlock& block, PassReport& report, TimestampSlots timestamps,
                 std::uint32_t index);
 

@@ -4,7 +4,9 @@
 
 #define AUREOLE_SKY_VIEW_TABLE
 #define AUREOLE_AERIAL_PERSPECTIVE_TABLE
+#define AUREOLE_TRANSMITTANCE_TABLE
 SAMPLER_2D(2, sky_view_table)
+SAMPLER_2D(3, transmittance_table)
 SAMPLER_3D(4, aerial_perspective_table)
 
 #include "transmittance/transmittance.glsl"

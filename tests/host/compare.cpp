@@ -35,7 +35,7 @@ void Worst::check() const {
 void check_same_answers(const std::vector<Answer>& got, const std::vector<Answer>& expected) {
     REQUIRE(got.size() == expected.size());
     for (const AnswerPart& part : answer_parts()) {
-        Worst worst(part.name, 3e-5, 1e-6);
+        Worst worst(part.name, 3e-5, part.floor);
         for (std::size_t i = 0; i < got.size(); ++i) worst.add(i, got[i].*part.value, expected[i].*part.value);
         worst.check();
     }

@@ -22,7 +22,10 @@ constexpr AnswerPart parts[] = {{"sky", &Answer::sky},
                                 {"air radiance", &Answer::air_radiance},
                                 {"sun transmittance", &Answer::sun_transmittance},
                                 {"sun irradiance", &Answer::sun_irradiance},
-                                {"sky irradiance", &Answer::sky_irradiance}};
+                                {"sky irradiance", &Answer::sky_irradiance},
+                                {"march transmittance", &Answer::march_transmittance},
+                                {"march radiance", &Answer::march_radiance, 2e-5},
+                                {"march loss", &Answer::march_loss, 2e-5}};
 static_assert(std::size(parts) == answer_columns);
 
 }  // namespace
@@ -33,8 +36,8 @@ std::vector<glm::dvec4> encode(std::span<const Question> questions) {
     std::vector<glm::dvec4> texels;
     for (const Question& q : questions) {
         texels.emplace_back(q.direction, q.distance_m);
-        texels.emplace_back(q.place, q.sun, 0);
-        texels.emplace_back(q.offset_m, 0);
+        texels.emplace_back(q.place, q.sun, q.begin_m);
+        texels.emplace_back(q.offset_m, q.samples + q.jitter);
     }
     return texels;
 }
@@ -80,8 +83,9 @@ std::vector<Answer> ask(passes::Rig& rig, std::span<const Question> questions) {
                                      {4, rig.view.aerial_perspective_table(), linear, {}},
                                      {5, rig.view.light_table(), linear, {}},
                                      {6, rig.view.phase_table(), nearest, {}},
-                                     {7, asked, nearest, {}},
-                                     {8, answers, {}, {}}};
+                                     {7, rig.view.profile_table(), nearest, {}},
+                                     {8, asked, nearest, {}},
+                                     {9, answers, {}, {}}};
     const rhi::BindingSet set = device.create_binding_set({"host_lookups", pipeline, bindings});
     rig.backend.run([&](rhi::CommandList& commands) {
         rhi::DispatchDesc dispatch;
@@ -117,6 +121,9 @@ std::vector<Question> assorted(int count, int suns) {
         q.distance_m = std::pow(10.0, 6.0 * i / count);
         q.place = {std::fmod(0.618 * i, 1.0), std::fmod(0.377 * i, 1.0)};
         q.sun = i % suns;
+        q.begin_m = q.distance_m * (i % 3) / 4;
+        q.samples = 1 + i % 5;
+        q.jitter = 0.125 * (i % 7);
         const double reach = std::pow(10.0, 5.3 * std::fmod(0.271 * i, 1.0));
         q.offset_m = reach * directions[static_cast<std::size_t>((7 * i) % count)];
         questions.push_back(q);

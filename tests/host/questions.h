@@ -16,19 +16,24 @@ struct Question {
     glm::dvec2 place{0.5, 0.5};  ///< On the target.
     int sun = 0;
     glm::dvec3 offset_m{0, 0, 0};
+    double begin_m = 0;   ///< Of the march, which ends at the distance.
+    int samples = 4;      ///< Of the march.
+    double jitter = 0.5;  ///< Of its samples, in [0, 1).
 };
 
 /// In the order of the columns of host_lookups.comp.glsl.
 struct Answer {
     Rgb sky, sky_transmittance, air_transmittance, air_radiance, sun_transmittance, sun_irradiance, sky_irradiance;
+    Rgb march_transmittance, march_radiance, march_loss;
 };
-inline constexpr std::size_t answer_columns = 7;
+inline constexpr std::size_t answer_columns = 10;
 static_assert(sizeof(Answer) == answer_columns * sizeof(Rgb));
 
 /// The members by name, for messages and loops.
 struct AnswerPart {
     const char* name;
     Rgb Answer::*value;
+    double floor = 1e-6;  ///< Of the largest, that backends may differ by.
 };
 [[nodiscard]] std::span<const AnswerPart> answer_parts();
 

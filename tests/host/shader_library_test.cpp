@@ -13,14 +13,16 @@ TEST_CASE("the look-ups compile in every stage of a host's shaders, for Vulkan a
         INFO(scene.name);
         const Shown shown(passes::open_cpu_float(), scene);
         for (const char* stage : {"comp", "frag", "vert"}) {
-            for (const bool opengl : {false, true}) {
+            for (const auto& [opengl, shadows] : {std::pair{false, true}, {true, true}, {false, false}}) {
                 HostShader shader;
+                shader.shadows = shadows;
                 shader.defines = shown.rig.view.shader_defines();
                 shader.stage = stage;
                 shader.opengl = opengl;
                 const Compiled compiled = compile(text_of(shader), stage, opengl ? Api::opengl : Api::vulkan);
                 CAPTURE(compiled.messages);
                 CAPTURE(opengl);
+                CAPTURE(shadows);
                 CHECK(compiled.spirv.size() > 1000);
             }
         }

@@ -62,7 +62,8 @@ ProgramSet Asker::aureole_set(const OpenHost& open, const passes::Rig& rig, int 
             table(rig.air.transmittance_table(), open.linear()),
             table(rig.view.aerial_perspective_table(), open.linear()),
             table(rig.view.light_table(), open.linear()),
-            table(rig.view.phase_table(), open.nearest())};
+            table(rig.view.phase_table(), open.nearest()),
+            table(rig.view.profile_table(), open.nearest())};
 }
 
 void Asker::record() {

@@ -166,7 +166,8 @@ struct CompositeTargets {
                                  ///< CompositeSettings::scene_depth, else ignored.
     rhi::Texture target{};       ///< Every texel of it is written. Not scene_color.
     /// Optional rgba32_float texture of the target's size, State::sampled: world directions (xyz, of any length) that replace
-    /// the camera's rays; for tools that probe single directions. A zero vector gives black.
+    /// the camera's rays; for tools that probe single directions. A zero vector gives black. Not with ViewSettings::shadows,
+    /// which are found along the camera's rays: Error(unsupported).
     rhi::Texture directions{};
     rhi::Extent extent{};  ///< Of the target, texels. Width and height in [1, Capabilities::max_texture_2d]; depth is ignored.
                            ///< Another size than the textures' is rejected if the device knows theirs (Device::find).
@@ -229,9 +230,10 @@ public:
     /// For a host's own shaders that include <aureole/glsl/aureole.glsl>: "#define AUREOLE_SPEC_<id> <value>" lines that go
     /// before it, and what to bind beside the tables. Valid until the structure of the air changes (set_parameters).
     [[nodiscard]] std::string shader_defines() const;
-    [[nodiscard]] rhi::Buffer air_block() const noexcept;     ///< Uniform block, State::constants after the first record.
-    [[nodiscard]] rhi::Buffer view_block() const noexcept;    ///< Uniform block, State::constants after the first record.
-    [[nodiscard]] rhi::Texture phase_table() const noexcept;  ///< State::sampled after Atmosphere::record.
+    [[nodiscard]] rhi::Buffer air_block() const noexcept;       ///< Uniform block, State::constants after the first record.
+    [[nodiscard]] rhi::Buffer view_block() const noexcept;      ///< Uniform block, State::constants after the first record.
+    [[nodiscard]] rhi::Texture phase_table() const noexcept;    ///< State::sampled after Atmosphere::record.
+    [[nodiscard]] rhi::Texture profile_table() const noexcept;  ///< State::sampled after Atmosphere::record. For aureole_march.
 
     struct Impl;
     [[nodiscard]] Impl& impl() const noexcept { return *impl_; }

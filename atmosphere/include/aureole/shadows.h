@@ -5,8 +5,8 @@
 //     view.set_shadow_map({.texture = map, .world_to_map = {near_cascade, far_cascade}});  // each frame that it is drawn anew
 //     view.update(camera, suns);
 //
-// Only single scattering is shadowed; light that has been scattered more often comes from all around and is left as it is, as
-// is the bare ground that the library draws. A value out of range is Error(invalid_argument).
+// Single scattering is shadowed, and the sun's beam on the bare ground that the library draws; light that has been scattered more
+// often comes from all around and is left as it is. A value out of range is Error(invalid_argument).
 #pragma once
 
 #include <aureole/rhi/types.h>
@@ -30,7 +30,8 @@ struct ShadowSettings {
 /// A shadow map: what View::set_shadow_map takes.
 struct ShadowMap {
     /// Depth seen from the sun in the first channel, any format that can be sampled; the cascades side by side, equally wide,
-    /// the finest first. In State::sampled or depth_read whenever View::record's list runs. Null: nothing is in shadow.
+    /// the finest first. In State::sampled or depth_read whenever a list runs into which View::record or record_composite has
+    /// recorded. Null: nothing is in shadow.
     rhi::Texture texture{};
     /// From world axes (metres, as Camera::position_m) to each cascade: after division by w, u and v in [0, 1] across the
     /// cascade from the first texel of the first row, and depth as the map has it, in [0, 1]. A point outside a cascade is

@@ -22,8 +22,9 @@ public:
     void prepare_as(const CompositePass& other);
     void release(const CompositeTargets& targets) noexcept;
     [[nodiscard]] bool prepared(const CompositeTargets& targets) noexcept { return find(targets) != nullptr; }
-    void record(rhi::CommandList& commands, const CompositeTargets& targets, std::uint64_t frame, PassReport& report,
-                TimestampSlots timestamps, std::uint32_t index);
+    /// `from_space`: the camera stands above the air.
+    void record(rhi::CommandList& commands, const CompositeTargets& targets, bool from_space, std::uint64_t frame,
+                PassReport& report, TimestampSlots timestamps, std::uint32_t index);
 
     static constexpr std::size_t max_prepared = 16;
 
@@ -35,7 +36,8 @@ private:
         std::uint64_t last_used = 0;
     };
     [[nodiscard]] Prepared* find(const CompositeTargets& targets) noexcept;
-    [[nodiscard]] rhi::Pipeline pipeline(bool given_directions);
+    [[nodiscard]] rhi::Pipeline pipeline(bool given_directions, bool from_space);
+    void make_pipelines(bool given_directions);
     [[nodiscard]] rhi::BindingSet bind(Objects& objects, const CompositeTargets& targets, rhi::Pipeline pipeline) const;
     void check(const CompositeTargets& targets) const;
     void check_sizes(const CompositeTargets& targets) const;
@@ -45,7 +47,9 @@ private:
     const ShadowPass& shadows_;
     CompositeSettings settings_;
     const rhi::Shader* shader_;
-    rhi::Pipeline pipelines_[2];  // camera rays, given directions (made when first prepared)
+    // Camera rays, given directions (made when first prepared); the second of each where the kernel has a
+    // ModelKernels::space_constant.
+    rhi::Pipeline pipelines_[2][2];
     std::vector<Prepared> prepared_;
     std::uint64_t uses_ = 0;
 };

@@ -32,10 +32,16 @@ CompositePass::CompositePass(ViewResources& shared, const ModelKernels& kernels,
       settings_(settings),
       shader_(settings.raster ? kernels.composite_raster : kernels.composite) {
     prepared_.reserve(max_prepared + 1);
-    pipelines_[0] = pipeline(false);
+    make_pipelines(false);
 }
 
-rhi::Pipeline CompositePass::pipeline(bool given_directions) {
+void CompositePass::make_pipelines(bool given_directions) {
+    rhi::Pipeline(&pair)[2] = pipelines_[given_directions ? 1 : 0];
+    if (!pair[0]) pair[0] = pipeline(given_directions, false);
+    if (kernels_.space_constant != 0 && !pair[1]) pair[1] = pipeline(given_directions, true);
+}
+
+rhi::Pipeline CompositePass::pipeline(bool given_directions, bool from_space) {
     Specialize values = shared_.specialize();
     for (const rhi::Specialization& value : kernels_.specialization) values.set(value);
     values.set(16, settings_.scene_color).set(17, settings_.scene_depth);
@@ -43,6 +49,7 @@ rhi::Pipeline CompositePass::pipeline(bool given_directions) {
     values.set(19, settings_.sun_disk).set(20, static_cast<int>(settings_.tone_map)).set(21, settings_.encode_srgb);
     values.set(22, settings_.dither).set(23, given_directions);
     values.set(37, settings_.sun_lobe_g > 0).set(38, shadows_.enabled());
+    if (kernels_.space_constant != 0) values.set(kernels_.space_constant, from_space);
     if (shadows_.enabled()) {
         values.set(39, static_cast<int>(shadows_.settings().size.depth));
         values.set(40, static_cast<int>(shadows_.settings().cascades));
@@ -103,14 +110,14 @@ CompositePass::Prepared CompositePass::bind(const CompositeTargets& targets, rhi
                                {14, {}, {}, shadows_.enabled() ? shadows_.block() : shared_.block.handle}});
     auto objects = shared_.objects.sibling();
     const rhi::BindingSet set =
-        objects->bindings("composite", pipelines_[targets.directions ? 1 : 0], bindings_of(*shader_, slots));
+        objects->bindings("composite", pipelines_[targets.directions ? 1 : 0][0], bindings_of(*shader_, slots));
     return {targets, std::move(objects), set, use};
 }
 
 void CompositePass::prepare(const CompositeTargets& targets) {
     check(targets);
     if (find(targets) != nullptr) return;
-    if (targets.directions && !pipelines_[1]) pipelines_[1] = pipeline(true);
+    make_pipelines(static_cast<bool>(targets.directions));
     prepared_.push_back(bind(targets, shadows_.map(), ++uses_));
     if (prepared_.size() <= max_prepared) return;
     const auto oldest = std::min_element(prepared_.begin(), prepared_.end(),
@@ -142,15 +149,15 @@ CompositePass::Prepared* CompositePass::find(const CompositeTargets& targets) no
     return nullptr;
 }
 
-void CompositePass::record(rhi::CommandList& commands, const CompositeTargets& targets, std::uint64_t frame, PassReport& report,
-                           TimestampSlots timestamps, std::uint32_t index) {
+void CompositePass::record(rhi::CommandList& commands, const CompositeTargets& targets, bool from_space, std::uint64_t frame,
+                           PassReport& report, TimestampSlots timestamps, std::uint32_t index) {
     Prepared* p = find(targets);
     if (p == nullptr) return;
     p->last_used = ++uses_;
     const glm::vec4 size(static_cast<float>(targets.extent.width), static_cast<float>(targets.extent.height),
                          static_cast<float>(frame % 1024), 0.0F);
     const auto push = std::as_bytes(std::span(&size, 1));
-    const rhi::Pipeline pipeline = pipelines_[targets.directions ? 1 : 0];
+    const rhi::Pipeline pipeline = pipelines_[targets.directions ? 1 : 0][from_space && kernels_.space_constant != 0 ? 1 : 0];
     PassScope scope(commands, report, timestamps, index);
     const rhi::Extent pixels{targets.extent.width, targets.extent.height, 1};
     if (settings_.raster) {

@@ -32,14 +32,16 @@ public:
     void use(std::vector<Prepared> fresh) noexcept { prepared_ = std::move(fresh); }
     void release(const CompositeTargets& targets) noexcept;
     [[nodiscard]] bool prepared(const CompositeTargets& targets) noexcept { return find(targets) != nullptr; }
-    void record(rhi::CommandList& commands, const CompositeTargets& targets, std::uint64_t frame, PassReport& report,
-                TimestampSlots timestamps, std::uint32_t index);
+    /// `from_space`: the camera stands above the air.
+    void record(rhi::CommandList& commands, const CompositeTargets& targets, bool from_space, std::uint64_t frame,
+                PassReport& report, TimestampSlots timestamps, std::uint32_t index);
 
     static constexpr std::size_t max_prepared = 16;
 
 private:
     [[nodiscard]] Prepared* find(const CompositeTargets& targets) noexcept;
-    [[nodiscard]] rhi::Pipeline pipeline(bool given_directions);
+    [[nodiscard]] rhi::Pipeline pipeline(bool given_directions, bool from_space);
+    void make_pipelines(bool given_directions);
     [[nodiscard]] Prepared bind(const CompositeTargets& targets, rhi::Texture shadow_map, std::uint64_t use) const;
     void check(const CompositeTargets& targets) const;
     void check_sizes(const CompositeTargets& targets) const;
@@ -49,7 +51,9 @@ private:
     const ShadowPass& shadows_;
     CompositeSettings settings_;
     const rhi::Shader* shader_;
-    rhi::Pipeline pipelines_[2];  // camera rays, given directions (made when first prepared)
+    // Camera rays, given directions (made when first prepared); the second of each where the kernel has a
+    // ModelKernels::space_constant.
+    rhi::Pipeline pipelines_[2][2];
     std::vector<Prepared> prepared_;
     std::uint64_t uses_ = 0;
 };

@@ -258,7 +258,7 @@ TEST_CASE("composite: on Vulkan every two choices meet in a pipeline that draws"
             detail::update_block(commands, tables.block, detail::ViewBlock{});
             tables.model->record(commands, reports, {});
             if (tables.shadows.enabled()) tables.shadows.record(commands, {}, report, {}, 2);
-            pass.record(commands, targets, 0, report, {}, 3);
+            pass.record(commands, targets, drawn % 2 == 1, 0, report, {}, 3);
         });
         CHECK(report.recorded);
         CHECK(backend->take_messages() == "");

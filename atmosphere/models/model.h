@@ -28,8 +28,10 @@ struct ModelKernels {
     const rhi::Shader* light = nullptr;
     std::vector<rhi::Binding> tables;                 ///< Of the model; each kernel takes those that it has slots for.
     std::vector<rhi::Specialization> specialization;  ///< Beyond ViewResources::specialize.
-    bool aerial_perspective = true;                   ///< False: geometry is left as it is.
-    bool shadows = true;                              ///< Its light is single scattering of the air's terms, and more.
+    /// Number of a boolean constant of the composite's, true where the camera stands above the air; 0: it has none.
+    std::uint32_t space_constant = 0;
+    bool aerial_perspective = true;  ///< False: geometry is left as it is.
+    bool shadows = true;             ///< Its light is single scattering of the air's terms, and more.
 };
 
 /// A table of light that a model's views read, and how it is made up: for adding up the tables of several wavelengths.

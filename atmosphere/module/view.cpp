@@ -246,7 +246,8 @@ void View::record_composite(rhi::CommandList& commands, const CompositeTargets& 
         log()->error("View::record_composite: called before View::record; nothing is recorded");
         return;
     }
-    impl.tables->composite.record(commands, targets, impl.air.frame, impl.reports[pass], timestamps,
+    const bool from_space = impl.block.camera.w > 0.5F;
+    impl.tables->composite.record(commands, targets, from_space, impl.air.frame, impl.reports[pass], timestamps,
                                   static_cast<std::uint32_t>(pass));
 }
 

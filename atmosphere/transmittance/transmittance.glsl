@@ -19,14 +19,17 @@ vec2 transmittance_position(real altitude, real mu) {
 }
 
 // The inverse: altitude and mu of a position. mu from the distance d: T^2 = r^2 + 2 r d mu + d^2.
-vec2 transmittance_altitude_mu(vec2 position) {
-    real altitude = altitude_at(position.y);
+real transmittance_mu(real altitude, real x) {
     real rho = horizon_distance(altitude);
     real d_min = shell_thickness() - altitude;
-    real d = d_min + position.x * (rho + atm.radii.w - d_min);
+    real d = d_min + x * (rho + atm.radii.w - d_min);
     real c = squares_apart(altitude, shell_thickness());
     real mu = d > 0 ? (c - d * d) / (2 * (bottom_radius() + altitude) * d) : real(1);
-    return vec2(altitude, clamp(mu, real(-1), real(1)));
+    return clamp(mu, real(-1), real(1));
+}
+vec2 transmittance_altitude_mu(vec2 position) {
+    real altitude = altitude_at(position.y);
+    return vec2(altitude, transmittance_mu(altitude, position.x));
 }
 
 #ifdef AUREOLE_TRANSMITTANCE_TABLE

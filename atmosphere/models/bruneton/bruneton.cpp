@@ -210,19 +210,8 @@ void BrunetonAir::show(rhi::CommandList& commands, std::span<PassReport> reports
 }
 
 std::unique_ptr<ModelView> BrunetonAir::make_view(ViewResources& shared, const ViewSettings& settings) {
-    return std::make_unique<BrunetonView>(shared, settings, transmittance_table(), front_, solution_.look_up());
+    return std::make_unique<BrunetonView>(shared, settings, settings_, front_, solution_.look_up());
 }
-
-BrunetonView::BrunetonView(ViewResources& shared, const ViewSettings& settings, rhi::Texture transmittance,
-                           const BrunetonTables& tables, std::vector<rhi::Specialization> look_up)
-    : kernels_{.composite = &shaders::bruneton_composite,
-               .composite_raster = &shaders::bruneton_composite_raster,
-               .light = &shaders::bruneton_light,
-               .tables = {{2, tables.scattering.handle, shared.air.linear, {}},
-                          {3, transmittance, shared.air.linear, {}},
-                          {4, tables.irradiance.handle, shared.air.linear, {}}},
-               .specialization = std::move(look_up),
-               .aerial_perspective = settings.aerial_perspective} {}
 
 }  // namespace detail
 

@@ -23,7 +23,8 @@ SPEC_BOOL(31, COMBINED, false)
 CONST(real, TABLE_SCALE, real(1024))
 CONST(real, LARGEST_STORED, real(65000))  // of half floats, nearly
 
-int scattering_layers() { return COMBINED ? 1 : sharp_layer(MAX_PHASES); }
+int scattering_layers_apart() { return sharp_layer(MAX_PHASES); }
+int scattering_layers() { return COMBINED ? 1 : scattering_layers_apart(); }
 
 // ---- Axes. Each maps its ends to the centres of the first and last texel. ----
 //
@@ -33,15 +34,18 @@ int scattering_layers() { return COMBINED ? 1 : sharp_layer(MAX_PHASES); }
 // straight down to rho at the horizon) and on the top (transmittance.glsl): the field is discontinuous at the horizon, so
 // the two halves of the axis must not mix. Rows 0 to n/2 - 1: ground, from the horizon to the nadir; then from the zenith to the
 // horizon.
-real ground_position(real altitude, real mu) {
-    real range = horizon_distance(altitude) - altitude;
-    return clamp((distance_to_ground(altitude, mu) - altitude) / max(range, real(1e-20)), real(0), real(1));
+real mu_position(real altitude, real mu, bool ground) {
+    real rho = horizon_distance(altitude);
+    real least = ground ? altitude : shell_thickness() - altitude;
+    real most = ground ? rho : rho + atm.radii.w;
+    real d = distance_to_altitude(altitude, mu, ground ? real(0) : shell_thickness(), !ground);
+    return clamp((d - least) / max(most - least, real(1e-20)), real(0), real(1));
 }
-real mu_row(real altitude, real mu, bool ground, int rows) {
-    int last = rows / 2 - 1;
-    return ground ? real(last) * (1 - ground_position(altitude, mu))
-                  : real(last + 1) + real(last) * transmittance_position(altitude, mu).x;
+real row_at(real position, bool ground, int rows) {
+    real last = real(rows / 2 - 1);
+    return ground ? last * (1 - position) : last + 1 + last * position;
 }
+real mu_row(real altitude, real mu, bool ground, int rows) { return row_at(mu_position(altitude, mu, ground), ground, rows); }
 
 // mu_s: by the length d of the ray from the ground to the top in that direction, so that nodes are dense at the horizon:
 // a = (d - d_min) / (d_max - d_min), d_max that of the horizon; u = (1 - a / A) / (1 + a), where A = a of the lowest sun kept
@@ -59,17 +63,17 @@ real sun_axis_mu(real u) {
 
 // nu: even, from -1 to 1. Two look-ups are mixed by hand, as x holds mu_s too.
 
-// The ray of a texel of a layer: altitude, directions (a nu that mu and mu_s do not allow is replaced by the nearest that they do)
-// and where it ends.
-Ray table_ray(ivec3 texel, ivec3 size) {
-    int sun_nodes = size.x / NU_NODES;
-    int last = size.y / 2 - 1;
+// The ray of a row of the axis of mu: where it ends, and no sun yet.
+Ray row_ray(real altitude, int row, int rows) {
+    int last = rows / 2 - 1;
     Ray ray;
-    ray.altitude = altitude_at(texel_to_unit(texel.z, size.z));
-    ray.ground = texel.y <= last;
+    ray.altitude = altitude;
+    ray.mu_s = real(0);
+    ray.nu = real(0);
+    ray.ground = row <= last;
     real r = bottom_radius() + ray.altitude;
     if (ray.ground) {
-        real p = 1 - real(texel.y) / real(last);
+        real p = 1 - real(row) / real(last);
         real rho = horizon_distance(ray.altitude);
         real d = ray.altitude + p * (rho - ray.altitude);
         ray.end = d;
@@ -77,10 +81,18 @@ Ray table_ray(ivec3 texel, ivec3 size) {
         real on_ground = p > 0 ? real(0) : real(-1);
         ray.mu = d > 0 ? clamp(-(rho * rho + d * d) / (2 * r * d), real(-1), real(0)) : on_ground;
     } else {
-        real p = real(texel.y - last - 1) / real(last);
-        ray.mu = transmittance_altitude_mu(vec2(p, texel_to_unit(texel.z, size.z))).y;
+        real p = real(row - last - 1) / real(last);
+        ray.mu = transmittance_mu(ray.altitude, p);
         ray.end = distance_to_top(ray.altitude, ray.mu);
     }
+    return ray;
+}
+
+// The ray of a texel of a layer: altitude, directions (a nu that mu and mu_s do not allow is replaced by the nearest that they do)
+// and where it ends.
+Ray table_ray(ivec3 texel, ivec3 size) {
+    int sun_nodes = size.x / NU_NODES;
+    Ray ray = row_ray(altitude_at(texel_to_unit(texel.z, size.z)), texel.y, size.y);
     ray.mu_s = sun_axis_mu(texel_to_unit(texel.x % sun_nodes, sun_nodes));
     real middle = ray.mu * ray.mu_s;
     real sines = sqrt(max((1 - ray.mu) * (1 + ray.mu) * (1 - ray.mu_s) * (1 + ray.mu_s), real(0)));
@@ -94,7 +106,8 @@ struct TablePlace {
     real step;  // in x to the node above
     real share; // of the node above
 };
-TablePlace table_place(Ray ray, ivec3 size, int layers) {
+// `row`: of the axis of mu, between two of them too.
+TablePlace table_place_in_row(Ray ray, real row, ivec3 size, int layers) {
     int sun_nodes = size.x / NU_NODES;
     int heights = size.z / layers;
     real nu = clamp(real(0.5) * (ray.nu + 1), real(0), real(1)) * real(NU_NODES - 1);
@@ -103,9 +116,12 @@ TablePlace table_place(Ray ray, ivec3 size, int layers) {
     place.step = 1 / real(NU_NODES);
     place.share = nu - node;
     place.at = vec3((node + unit_to_texture(sun_axis(ray.mu_s), sun_nodes)) * place.step,
-                    (real(0.5) + mu_row(ray.altitude, ray.mu, ray.ground, size.y)) / real(size.y),
+                    (real(0.5) + row) / real(size.y),
                     (real(0.5) + altitude_position(ray.altitude) * real(heights - 1)) / real(size.z));
     return place;
+}
+TablePlace table_place(Ray ray, ivec3 size, int layers) {
+    return table_place_in_row(ray, mu_row(ray.altitude, ray.mu, ray.ground, size.y), size, layers);
 }
 
 // ---- Look-ups ----

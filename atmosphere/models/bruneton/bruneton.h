@@ -67,12 +67,26 @@ private:
 
 class BrunetonView final : public ModelView {
 public:
-    BrunetonView(ViewResources& shared, const ViewSettings& settings, rhi::Texture transmittance, const BrunetonTables& tables,
-                 std::vector<rhi::Specialization> look_up);
+    BrunetonView(ViewResources& shared, const ViewSettings& settings, const models::BrunetonSettings& model,
+                 const BrunetonTables& tables, const std::vector<rhi::Specialization>& look_up);
+    [[nodiscard]] std::span<const std::string_view> passes() const noexcept override;
     [[nodiscard]] const ModelKernels& kernels() const noexcept override { return kernels_; }
+    void update(const ViewBlock& before, const ViewBlock& fresh) noexcept override;
+    void restart() noexcept override { stale_ = true; }
+    void invalidate() noexcept override;
+    void record(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps) override;
+    [[nodiscard]] bool ready() const noexcept override { return table_.state != rhi::State::undefined; }
+    [[nodiscard]] bool due() const noexcept override { return stale_ && (!from_space_ || !ready()); }
+    [[nodiscard]] std::vector<LightTexture> light_textures() override { return {{&table_}, {&depth_, 1, 0}}; }
 
 private:
+    TrackedTexture table_, depth_;
+    rhi::Extent invocations_;
+    rhi::Pipeline pipeline_;
+    rhi::BindingSet bindings_;
     ModelKernels kernels_;
+    bool stale_ = true;
+    bool from_space_ = false;  // then it is not read
 };
 
 }  // namespace aureole::detail

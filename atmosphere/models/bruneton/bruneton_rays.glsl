@@ -12,11 +12,15 @@ real nu_of(real mu, real mu_s, real azimuth_cosine) {
 }
 
 #ifdef AUREOLE_IRRADIANCE_TABLE
+// Radiance that the ground at the end of a ray sends through the air before it, 1/sr.
+vec3 ray_ground_radiance(Ray ray) {
+    return ground_radiance(dark_depth(ray, real(0), ray.end, false), ground_irradiance(sun_mu_after(ray, ray.end, real(0))));
+}
+
 // Per unit of solar irradiance, 1/sr.
 vec3 ray_radiance(Ray ray) {
     vec3 radiance = air_radiance(scattering_place(ray), ray.nu);
-    if (ray.ground)
-        radiance += ground_radiance(dark_depth(ray, real(0), ray.end, false), ground_irradiance(sun_mu_after(ray, ray.end, real(0))));
+    if (ray.ground) radiance += ray_ground_radiance(ray);
     return radiance;
 }
 #endif

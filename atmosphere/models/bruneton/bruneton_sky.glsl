@@ -1,4 +1,4 @@
-// The functions that composite/composite.glsl asks of a model, by the 4D table.
+// The functions that composite/composite.glsl asks of a model: from a camera in the air by its view table, from space by the 4D table.
 #ifndef AUREOLE_BRUNETON_SKY_GLSL
 #define AUREOLE_BRUNETON_SKY_GLSL
 
@@ -8,10 +8,30 @@
 SAMPLER_3D(2, scattering_table)
 SAMPLER_2D(3, transmittance_table)
 SAMPLER_2D(4, irradiance_table)
+#define AUREOLE_VIEW_TABLE
+SAMPLER_2D(11, view_table)
+SAMPLER_2D(13, view_depth_table)
 
 #include "models/bruneton/bruneton_camera.glsl"
+#include "models/bruneton/bruneton_view_table.glsl"
 
-vec3 sky_radiance(vec3 direction, ViewDirection v, vec3 beyond) {
+SPEC_BOOL(42, FROM_SPACE, false)  // ModelKernels::space_constant
+
+vec3 sky_from_air(vec3 direction, ViewDirection v, vec3 beyond) {
+    bool ground = sine_above_horizon(v) < 0;
+    real position = mu_position(view.camera.x, v.mu, ground);
+    vec3 radiance = vec3(real(0));
+    int sun = 0;
+    do {  // tested at the end: see march.glsl
+        real nu = clamp(dot(direction, vec3(view.sun_direction[sun])), real(-1), real(1));
+        radiance += vec3(view.sun_irradiance[sun]) * view_table_radiance(sun, position, ground, nu);
+        ++sun;
+    } while (sun < SUN_COUNT);
+    if ((SUN_DISK || SCENE_COLOR) && !ground) radiance += beyond * view_table_transmittance(position);
+    return radiance;
+}
+
+vec3 sky_from_space(vec3 direction, ViewDirection v, vec3 beyond) {
     real entry = distance_to_air(v);
     vec3 radiance = vec3(real(0));
     Ray ray;
@@ -24,6 +44,11 @@ vec3 sky_radiance(vec3 direction, ViewDirection v, vec3 beyond) {
     if (entry < 0) return beyond;  // past the air
     if ((SUN_DISK || SCENE_COLOR) && !ray.ground) radiance += beyond * transmittance_to_top(ray.altitude, ray.mu);
     return radiance;
+}
+
+vec3 sky_radiance(vec3 direction, ViewDirection v, vec3 beyond) {
+    if (FROM_SPACE) return sky_from_space(direction, v, beyond);
+    return sky_from_air(direction, v, beyond);
 }
 
 // The difference of two look-ups: of the whole ray, and of what is left of it behind the point. It needs no place on the screen.

@@ -109,6 +109,40 @@ TEST_CASE("bruneton: pictures of every place and hour are sound, the same on eve
     pictures.check("bruneton", "composite", 1e-4, 1e-3);
 }
 
+TEST_CASE("bruneton: the view table of a camera in the air shows what the 4D table shows a camera in space a step away") {
+    const auto cpu = open_cpu_float();
+    for (const char* preset : {"earth", "mars"})
+        for (const bool combined : {false, true}) {
+            BrunetonSettings settings = small();
+            settings.view_nodes = 64;
+            settings.nu_nodes = 8;
+            settings.combined = combined;
+            Setup setup = setup_of(preset, settings);
+            setup.composite.target_format = rhi::Format::rgba32_float;
+            setup.composite.sun_disk = false;
+            Rig rig(*cpu, setup);
+            rig.record_air();
+            const Planet& planet = rig.setup.air.planet;
+            const double top = planet.top_radius_m - planet.bottom_radius_m;
+            for (const double elevation : {60.0, 5.0, -4.0}) {
+                rig.record_view(camera_at(planet, top - 0.5), sun_at(elevation));
+                const Image inside = rig.show({13, 9, 1});
+                rig.record_view(camera_at(planet, top + 0.5), sun_at(elevation));
+                const Image outside = rig.show({13, 9, 1});
+                double most = 0, worst = 0;
+                for (const glm::dvec4& texel : outside.texels) most = std::max(most, texel.y);
+                for (std::size_t i = 0; i < outside.texels.size(); ++i)
+                    for (int c = 0; c < 3; ++c)
+                        worst = std::max(worst, std::abs(inside.texels[i][c] - outside.texels[i][c]) /
+                                                    std::max(outside.texels[i][c], 0.01 * most));
+                CAPTURE(place_name(preset, top, elevation));
+                CAPTURE(combined);
+                CHECK(most > 0);
+                CHECK(worst < 0.005);
+            }
+        }
+}
+
 TEST_CASE("bruneton: geometry in the air is sound, and fades from itself into the sky") {
     const auto cpu = open_cpu_float();
     Setup setup = setup_of("earth", small());

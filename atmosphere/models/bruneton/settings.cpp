@@ -48,7 +48,7 @@ BrunetonSettings BrunetonSettings::low() {
     s.view_nodes = 64;
     s.sun_nodes = 24;
     s.combined = true;
-    s.ray_nodes = s.zenith_nodes = 4;
+    s.zenith_nodes = 4;  // nodes of a ray as many as by default: with four, twilight has the wrong colours
     s.azimuth_nodes = 6;
     return s;
 }

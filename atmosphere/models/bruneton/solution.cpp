@@ -15,13 +15,12 @@ constexpr int published_zenith_nodes = 8, published_azimuth_nodes = 16;  // 16 x
 
 std::uint32_t unsigned_of(int value) { return static_cast<std::uint32_t>(value); }
 
-/// Small tables are kept in float wherever that can be filtered.
-rhi::Format irradiance_format(const rhi::Device& device) {
+}  // namespace
+
+rhi::Format small_table_format(const rhi::Device& device) {
     const bool filtered = device.format_support(rhi::Format::rgba32_float, rhi::Dimension::d2).linear_filter;
     return filtered ? rhi::Format::rgba32_float : rhi::Format::rgba16_float;
 }
-
-}  // namespace
 
 BrunetonSolution::BrunetonSolution(AirResources& shared, const models::BrunetonSettings& settings, bool combined)
     : shared_(shared),
@@ -77,7 +76,7 @@ BrunetonTables BrunetonSolution::make_tables(Objects& objects, TrackedTexture& t
     size.depth *= unsigned_of(layers_);
     BrunetonTables tables{&transmittance, {}, {}};
     tables.scattering = objects.texture({"bruneton scattering", rhi::Dimension::d3, settings_.format, size, work_usage | more});
-    tables.irradiance = objects.texture({"bruneton irradiance", rhi::Dimension::d2, irradiance_format(objects.device()),
+    tables.irradiance = objects.texture({"bruneton irradiance", rhi::Dimension::d2, small_table_format(objects.device()),
                                          settings_.irradiance, work_usage | more});
     return tables;
 }

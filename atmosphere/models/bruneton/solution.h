@@ -13,6 +13,9 @@ struct BrunetonTables {
     TrackedTexture scattering, irradiance;
 };
 
+/// Small tables are kept in float wherever that can be filtered.
+[[nodiscard]] rhi::Format small_table_format(const rhi::Device& device);
+
 /// Order by order: the field that arrives at every point (from what has been scattered so far), what the air scatters of it,
 /// and the sum of that along every ray. Tables of the field and of its source are shared by all sets of tables that are solved
 /// for.
@@ -38,6 +41,9 @@ public:
     [[nodiscard]] int units() const noexcept { return slices_ + (settings_.orders - 1) * (2 * slices_ + 1); }
     [[nodiscard]] int done() const noexcept { return done_; }
     [[nodiscard]] bool finished() const noexcept { return done_ >= units(); }
+
+    /// What the air scatters of the field, by the latest density pass.
+    [[nodiscard]] TrackedTexture& source() noexcept { return source_; }
 
     /// What views' kernels are specialized by.
     [[nodiscard]] std::vector<rhi::Specialization> look_up() const;

@@ -27,7 +27,7 @@ struct BrunetonSettings {
     int orders = 4;  ///< Scatterings, in [1, 64]: 1 is single scattering alone, 4 within about 1 % of all by day.
     /// One texture instead of two or more: the red of the aerosol's single scattering in the fourth component, the rest of it
     /// extrapolated from the molecules' (Bruneton 2008, section 4). For air of molecules (RayleighPhase) and one other phase
-    /// function; other air gets separate textures all the same. Half the memory, a third fewer look-ups; errors near sunset.
+    /// function; other air gets separate textures all the same. Half the memory; errors near sunset.
     bool combined = false;
     rhi::Format format = rhi::Format::rgba16_float;  ///< Of the 4D tables: rgba16_ or rgba32_float.
 

@@ -25,18 +25,25 @@ public:
     void record(rhi::CommandList& commands, const CompositeTargets& targets, std::uint64_t frame, PassReport& report,
                 TimestampSlots timestamps, std::uint32_t index);
 
+    /// What was left between runs is lost.
+    void invalidate() noexcept;
+
     static constexpr std::size_t max_prepared = 16;
 
 private:
     struct Prepared {
         CompositeTargets targets;
         std::unique_ptr<Objects> objects;
-        rhi::BindingSet bindings;
+        std::vector<rhi::BindingSet> bindings;  ///< By run.
+        std::vector<TrackedTexture> sums;       ///< What one run leaves to the next.
         std::uint64_t last_used = 0;
     };
     [[nodiscard]] Prepared* find(const CompositeTargets& targets) noexcept;
-    [[nodiscard]] rhi::Pipeline pipeline(bool given_directions);
-    [[nodiscard]] rhi::BindingSet bind(Objects& objects, const CompositeTargets& targets, rhi::Pipeline pipeline) const;
+    [[nodiscard]] bool draws(std::size_t run) const noexcept { return settings_.raster && run + 1 == runs_.size(); }
+    [[nodiscard]] const rhi::Shader& shader(std::size_t run) const noexcept;
+    [[nodiscard]] Specialize specialization(const TripletKernels& run, bool given_directions) const;
+    [[nodiscard]] std::vector<rhi::Pipeline> make_pipelines(bool given_directions);
+    [[nodiscard]] rhi::BindingSet bind(const Prepared& prepared, std::size_t run) const;
     void check(const CompositeTargets& targets) const;
     void check_sizes(const CompositeTargets& targets) const;
 
@@ -44,8 +51,8 @@ private:
     const ModelKernels& kernels_;
     const ShadowPass& shadows_;
     CompositeSettings settings_;
-    const rhi::Shader* shader_;
-    rhi::Pipeline pipelines_[2];  // camera rays, given directions (made when first prepared)
+    std::vector<TripletKernels> runs_;         // of a composite: one, or one for each triplet of wavelengths
+    std::vector<rhi::Pipeline> pipelines_[2];  // by run: of camera rays, of given directions (made when first prepared)
     std::vector<Prepared> prepared_;
     std::uint64_t uses_ = 0;
 };

@@ -1,5 +1,5 @@
-// What every composite kernel reads, whichever model's sky it shows. Slots 2 to 4 and from 10 on are the model's: 10 the profile
-// table (AUREOLE_PROFILE_TABLE), if it marches; 12 is taken.
+// What every composite kernel reads, whichever model's sky it shows. Slots 2 to 4, 10, 11 and from 15 on are the model's: 10 the
+// profile table (AUREOLE_PROFILE_TABLE), if it marches.
 #ifndef AUREOLE_COMPOSITE_INPUTS_GLSL
 #define AUREOLE_COMPOSITE_INPUTS_GLSL
 
@@ -15,6 +15,7 @@ SAMPLER_2D(5, scene_color)
 SAMPLER_2D(6, scene_depth)
 SAMPLER_2D(8, directions)
 SAMPLER_2D(12, shadow_table)
+SAMPLER_2D(14, sum_before)  // of the triplets before (triplet.glsl)
 
 SPEC_BOOL(16, SCENE_COLOR, false)
 SPEC_BOOL(17, SCENE_DEPTH, false)
@@ -34,6 +35,7 @@ struct CompositeTarget {
 PUSH_CONSTANTS(CompositeTarget, target)
 
 #include "aerial_perspective/air_before.glsl"
+#include "common/triplet.glsl"
 #include "common/view_ray.glsl"
 
 #endif

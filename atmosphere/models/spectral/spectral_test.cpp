@@ -2,7 +2,10 @@
 #include <doctest/doctest.h>
 
 #include <aureole/models/bruneton.h>
+#include <aureole/models/fog.h>
 #include <aureole/models/hillaire.h>
+#include <aureole/models/reference.h>
+#include <aureole/models/single_lut.h>
 #include <aureole/models/spectral.h>
 
 #include "passes/dropped_list.h"
@@ -52,8 +55,46 @@ models::HillaireSettings small_hillaire() {
 }
 
 /// With tables in float, so that sums of pictures and pictures of sums differ by rounding alone.
-std::vector<ModelPtr> inner_models() {
+std::vector<ModelPtr> models_by_tables() {
     return {models::aureole(exact_quality()), models::hillaire(small_hillaire()), models::bruneton(small_bruneton())};
+}
+
+/// Which compute light for each pixel; with what they keep tables of, and without.
+std::vector<ModelPtr> models_by_pixels() {
+    models::FogSettings grey;
+    grey.mode = models::FogSettings::Mode::one_colour;
+    models::SingleSettings dome = models::SingleSettings::by_name("low");
+    models::SingleLutSettings look_up;
+    dome.dome.format = look_up.table_format = rhi::Format::rgba32_float;
+    models::HillaireSettings marched = small_hillaire(), marched_sky = small_hillaire();
+    marched.fast_sky = marched.fast_aerial_perspective = marched_sky.fast_sky = false;
+    marched.grey_transmittance = marched_sky.grey_transmittance = false;  // as in wavelengths
+    marched.march_steps = marched_sky.march_steps = 8;
+    return {models::fog(),
+            models::fog(grey),
+            models::single(),
+            models::single(dome),
+            models::single_lut(look_up),
+            models::hillaire(marched),
+            models::hillaire(marched_sky)};
+}
+
+models::ReferenceSettings few_paths(bool film) {
+    models::ReferenceSettings s;
+    s.paths_per_frame = 2;
+    s.light_paths = 2;
+    s.max_order = 3;
+    s.nodes = 4;
+    s.first_order_parts = 1;
+    if (film) s.film_width = panorama.width, s.film_height = panorama.height;
+    return s;
+}
+
+std::vector<ModelPtr> inner_models() {
+    std::vector<ModelPtr> all = models_by_tables();
+    for (ModelPtr& model : models_by_pixels()) all.push_back(std::move(model));
+    all.push_back(models::reference(few_paths(true)));
+    return all;
 }
 
 Setup setup_of(const ModelPtr& model, bool geometry = false) {
@@ -89,9 +130,8 @@ struct Shown {
         setup.air = air;
         return setup;
     }
-    std::vector<Image> show(double elevation, const Rgb& irradiance = Rgb(1)) {
-        Sun sun = sun_at(elevation);
-        sun.irradiance = irradiance;
+    std::vector<Image> show(double elevation) { return show(sun_at(elevation)); }
+    std::vector<Image> show(const Sun& sun) {
         Camera camera = camera_at(around.setup.air.planet, 200);
         camera.kind = Projection::panorama;
         around.record_view(camera, sun);
@@ -150,7 +190,7 @@ TEST_CASE("spectral: a sky is the sum of the skies at each triplet") {
         const Wavelengths set = count == 6 ? spectrum::fitted(6) : spectrum::equal_bins(count);
         const std::vector<spectrum::Triplet> triplets = spectrum::triplets(set);
         const Rgb sun = models::solar_rec709(set);
-        std::vector<ModelPtr> inner = inner_models();
+        std::vector<ModelPtr> inner = models_by_tables();
         if (count == 40) inner.resize(1);
         for (const ModelPtr& model : inner) {
             Setup setup = setup_of(model);
@@ -189,6 +229,108 @@ TEST_CASE("spectral: a sky is the sum of the skies at each triplet") {
             std::printf("spectral: %s, %d wavelengths: %s%s\n", std::string(model->name()).c_str(), count, worst.text().c_str(),
                         negative ? "; some of it out of gamut" : "");
         }
+    }
+}
+
+TEST_CASE(
+    "spectral: a picture by pixels is the sum of those at each triplet, with what the host and the suns put behind the air") {
+    const auto cpu = open_cpu_double();
+    std::vector<ModelPtr> inner = models_by_pixels();
+    inner.push_back(models::reference(few_paths(true)));
+    inner.push_back(models::reference(few_paths(false)));
+    inner.erase(inner.begin() + 1);  // fog of one colour, which is RGB
+    for (const Wavelengths& set : {spectrum::fitted(4), spectrum::equal_bins(9)}) {
+        const std::vector<spectrum::Triplet> triplets = spectrum::triplets(set);
+        const Rgb sun = models::solar_rec709(set);
+        for (const ModelPtr& model : inner) {
+            // What is behind the air is grey: it is RGB, in which triplets know no red.
+            Image grey{picture, {}};
+            for (std::uint32_t i = 0; i < picture.width * picture.height; ++i)
+                grey.texels.emplace_back(glm::dvec3(0.1 + 0.05 * (i % 7)), 1);
+            const rhi::Texture behind = cpu->make("grey", rhi::Format::rgba32_float, grey);
+            Shown all(*cpu, models::spectral(model, {set, of_earth}));
+            all.targets.scene_color = behind;
+            std::vector<std::unique_ptr<Shown>> parts;
+            for (const spectrum::Triplet& triplet : triplets) {
+                parts.push_back(std::make_unique<Shown>(*cpu, model, spectrum::earth(triplet.nm)));
+                parts.back()->targets.scene_color = behind;
+            }
+            Worst worst;
+            for (const double elevation : {60.0, -1.0}) {
+                Sun wide = sun_at(elevation);
+                wide.angular_radius_rad = 0.4;  // seen by some pixels
+                wide.limb_darkening = LimbDarkening::none;
+                const std::vector<Image> shown = all.show(wide);
+                std::vector<std::vector<Image>> by_triplet;  // each once: films go on adding up
+                for (const std::unique_ptr<Shown>& part : parts) by_triplet.push_back(part->show(wide));
+                for (std::size_t i = 0; i < shown.size(); ++i) {
+                    Image sum{shown[i].extent, std::vector<glm::dvec4>(shown[i].texels.size())};
+                    for (std::size_t k = 0; k < parts.size(); ++k) {
+                        const Image& part = by_triplet[k][i];
+                        for (std::size_t t = 0; t < sum.texels.size(); ++t)
+                            sum.texels[t] += glm::dvec4(triplets[k].to_rec709 * glm::dvec3(part.texels[t]) / sun, 0);
+                    }
+                    for (glm::dvec4& texel : sum.texels)
+                        texel = glm::dvec4(i == 2 ? glm::dvec3(texel) : glm::max(glm::dvec3(texel), 0.0), 1);
+                    worst.compare(shown[i], sum, {Measure::Kind::relative, 0, 1e-3}, "picture " + std::to_string(i));
+                }
+            }
+            INFO(model->name() << ", " << set.nm.size() << ": " << worst.text());
+            CHECK(worst.compared());
+            CHECK(worst.error() < 1e-6);  // sums and weights are floats
+        }
+    }
+}
+
+TEST_CASE("spectral: fog of one colour has that colour, whatever the wavelengths") {
+    const auto cpu = open_cpu_double();
+    AtmosphereParameters air = presets::earth();
+    air.planet.ground_albedo = Rgb(0);
+    models::FogSettings grey;
+    grey.mode = models::FogSettings::Mode::one_colour;
+    grey.colour = Rgb(0.3, 0.1, 0.2);
+    Shown plain(*cpu, models::fog(grey), air), wrapped(*cpu, models::spectral(models::fog(grey), {spectrum::fitted(4)}), air);
+    const std::vector<Image> a = plain.show(30), b = wrapped.show(30);
+    Worst worst;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        // The sun's light through the air, in the light's last column, is of the air.
+        const Measure measure{.kind = Measure::Kind::relative, .least = 0, .least_of_largest = 1e-3};
+        if (i < 2)
+            worst.compare(a[i], b[i], measure);
+        else
+            for (std::uint32_t x = 0; x < 9; ++x) CHECK(glm::length(a[i].at(x, 0) - b[i].at(x, 0)) < 1e-6);
+    }
+    CHECK_MESSAGE(worst.error() < 1e-6, worst.text());
+}
+
+TEST_CASE("spectral: suns of two colours are the sum of each, and a full-screen draw shows what a compute pass does") {
+    const auto cpu = open_cpu_double();
+    for (const ModelPtr& inner : models_by_pixels()) {
+        Setup setup = setup_of(models::spectral(inner, {spectrum::fitted(4)}));
+        setup.view.max_suns = 2;
+        setup.composite.sun_disk = false;
+        Rig rig(*cpu, setup);
+        setup.composite.raster = true;
+        Rig drawn(*cpu, setup);
+        rig.record_air();
+        drawn.record_air();
+        Camera camera = camera_at(setup.air.planet, 200);
+        camera.kind = Projection::panorama;
+        Sun red = sun_at(20), blue = sun_at(5);
+        red.irradiance = Rgb(2, 0.5, 0.25);
+        blue.irradiance = Rgb(0.1, 0.2, 1);
+        const auto show = [&](Rig& of, std::vector<Sun> suns) {
+            of.record_view(camera, suns);
+            return of.show(panorama);
+        };
+        const Image both = show(rig, {red, blue});
+        CHECK(show(drawn, {red, blue}) == both);
+        Image sum = show(rig, {red});
+        const Image other = show(rig, {blue});
+        for (std::size_t i = 0; i < sum.texels.size(); ++i) sum.texels[i] += other.texels[i] * glm::dvec4(1, 1, 1, 0);
+        Worst worst;
+        worst.compare(both, sum, {Measure::Kind::relative, 0, 1e-3});
+        CHECK_MESSAGE(worst.error() < 1e-6, inner->name() << worst.text());
     }
 }
 
@@ -234,6 +376,7 @@ TEST_CASE("spectral: optical depth is that of the sun's light, and within that o
 TEST_CASE("spectral: every backend shows the same") {
     Backends backends;
     for (const ModelPtr& inner : inner_models()) {
+        if (inner->name() == "reference") continue;  // the ladder's test: where rounding turns a choice its paths are others
         const Setup setup = setup_of(models::spectral(inner, {spectrum::fitted(6)}));
         Trio<Rig> trio(backends, setup);
         trio.record_air();
@@ -253,6 +396,7 @@ TEST_CASE("spectral: every backend shows the same") {
 TEST_CASE("spectral: geometry through the air, with no number below 0") {
     const auto cpu = open_cpu_float(), vulkan = open_vulkan();
     for (const ModelPtr& inner : inner_models()) {
+        if (inner->name() == "reference") continue;
         const ModelPtr model = models::spectral(inner, {spectrum::equal_bins(12)});
         Shown one(*cpu, model);
         std::optional<Shown> other;
@@ -280,7 +424,7 @@ TEST_CASE("spectral: changes and losses reach every triplet and the sums") {
         rig.record_air();
         (void)sky(rig, 5);
         rig.air.set_parameters(other);
-        CHECK(rig.record_air().dispatches > 0);
+        CHECK(rig.record_air().total() > 0);
         CHECK(rig.record_air().total() == 0);
 
         Setup setup = setup_of(model);
@@ -299,7 +443,8 @@ TEST_CASE("spectral: changes and losses reach every triplet and the sums") {
         setup.air = other;
         Rig third(*cpu, setup);
         third.record_air();
-        CHECK(sky(rig, 5) == sky(third, 5));
+        const Image expected = sky(third, 5);
+        CHECK(sky(rig, 5) == expected);
 
         DroppedList dropped;
         rig.air.invalidate();
@@ -308,20 +453,28 @@ TEST_CASE("spectral: changes and losses reach every triplet and the sums") {
         CHECK(dropped.dispatches > 0);
         rig.air.invalidate();
         rig.record_air();
-        CHECK(sky(rig, 5) == sky(third, 5));
+        CHECK(sky(rig, 5) == expected);
     }
 }
 
 TEST_CASE("spectral: an error on the way leaves nothing behind") {
     const auto cpu = open_cpu_float();
-    const ModelPtr model = models::spectral(models::aureole(small_quality()), {spectrum::fitted(4)});
     const std::uint64_t before = cpu->device().live();
-    for (std::uint64_t more = 0; more < 91; more += 6) {
-        cpu->device().fail_after(more);
-        CHECK_THROWS_AS(Rig(*cpu, setup_of(model)), Error);
-        CHECK(cpu->device().live() == before);
+    for (const ModelPtr& inner : inner_models()) {
+        const ModelPtr model = models::spectral(inner, {spectrum::fitted(4)});
+        std::uint64_t more = 0;
+        for (bool made = false; !made; more += 3) {
+            cpu->device().fail_after(more);
+            try {
+                Rig rig(*cpu, setup_of(model));
+                made = true;
+            } catch (const Error&) {
+            }
+            CHECK(cpu->device().live() == before);
+        }
+        CHECK(more > 20);
+        cpu->device().fail_after(std::nullopt);
     }
-    cpu->device().fail_after(std::nullopt);
 }
 
 TEST_CASE("spectral: recording allocates nothing") {
@@ -343,9 +496,10 @@ TEST_CASE("spectral: recording allocates nothing") {
             cpu->queue().submit();
             cpu->queue().wait();
             if (frame > 1) CHECK(allocations == 0);  // the device's own list grows to its size in the first
-            CHECK(air.reports()[0].recorded);
-            CHECK(air.reports()[1].recorded);
-            CHECK(air.reports()[0].bytes_written > 0);
+            for (const PassReport& report : air.reports()) {
+                CHECK(report.recorded);
+                CHECK(report.bytes_written > 0);
+            }
         }
     }
 }

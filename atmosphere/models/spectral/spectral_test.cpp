@@ -1,158 +1,15 @@
 // Models in N wavelengths: what is added up, and what is left as it was.
 #include <doctest/doctest.h>
 
-#include <aureole/models/bruneton.h>
-#include <aureole/models/fog.h>
-#include <aureole/models/hillaire.h>
-#include <aureole/models/reference.h>
-#include <aureole/models/single_lut.h>
-#include <aureole/models/spectral.h>
-
+#include "models/spectral/pictures_test.h"
 #include "passes/dropped_list.h"
-#include "passes/scene.h"
-#include "passes/trio.h"
 #include "recording/allocations.h"
 
 #include <cstdio>
 
 using namespace aureole;
 using namespace aureole::passes;
-using models::SpectralSettings;
 using spectrum::Wavelengths;
-
-namespace {
-
-constexpr rhi::Extent panorama{24, 12, 1}, picture{20, 12, 1};
-constexpr double elevations[] = {60, 5, 0, -4};
-
-QualitySettings exact_quality() {
-    QualitySettings quality = small_quality();
-    quality.table_format = rhi::Format::rgba32_float;
-    return quality;
-}
-
-models::BrunetonSettings small_bruneton() {
-    models::BrunetonSettings s;
-    s.transmittance = {40, 12, 1};
-    s.irradiance = {11, 5, 1};
-    s.altitude_nodes = 5;
-    s.view_nodes = 14;
-    s.sun_nodes = 9;
-    s.nu_nodes = 4;
-    s.orders = 2;
-    s.format = rhi::Format::rgba32_float;
-    return s;
-}
-
-models::HillaireSettings small_hillaire() {
-    models::HillaireSettings s;
-    s.table_format = s.froxel_format = rhi::Format::rgba32_float;
-    s.transmittance = {40, 12, 1};
-    s.multi_scatter = {9, 7, 1};
-    s.sky_view = {11, 22, 1};
-    s.aerial_perspective = {9, 7, 6};
-    return s;
-}
-
-/// With tables in float, so that sums of pictures and pictures of sums differ by rounding alone.
-std::vector<ModelPtr> models_by_tables() {
-    return {models::aureole(exact_quality()), models::hillaire(small_hillaire()), models::bruneton(small_bruneton())};
-}
-
-/// Which compute light for each pixel; with what they keep tables of, and without.
-std::vector<ModelPtr> models_by_pixels() {
-    models::FogSettings grey;
-    grey.mode = models::FogSettings::Mode::one_colour;
-    models::SingleSettings dome = models::SingleSettings::by_name("low");
-    models::SingleLutSettings look_up;
-    dome.dome.format = look_up.table_format = rhi::Format::rgba32_float;
-    models::HillaireSettings marched = small_hillaire(), marched_sky = small_hillaire();
-    marched.fast_sky = marched.fast_aerial_perspective = marched_sky.fast_sky = false;
-    marched.grey_transmittance = marched_sky.grey_transmittance = false;  // as in wavelengths
-    marched.march_steps = marched_sky.march_steps = 8;
-    return {models::fog(),
-            models::fog(grey),
-            models::single(),
-            models::single(dome),
-            models::single_lut(look_up),
-            models::hillaire(marched),
-            models::hillaire(marched_sky)};
-}
-
-models::ReferenceSettings few_paths(bool film) {
-    models::ReferenceSettings s;
-    s.paths_per_frame = 2;
-    s.light_paths = 2;
-    s.max_order = 3;
-    s.nodes = 4;
-    s.first_order_parts = 1;
-    if (film) s.film_width = panorama.width, s.film_height = panorama.height;
-    return s;
-}
-
-std::vector<ModelPtr> inner_models() {
-    std::vector<ModelPtr> all = models_by_tables();
-    for (ModelPtr& model : models_by_pixels()) all.push_back(std::move(model));
-    all.push_back(models::reference(few_paths(true)));
-    return all;
-}
-
-Setup setup_of(const ModelPtr& model, bool geometry = false) {
-    Setup setup;
-    setup.model = model;
-    setup.view.projection = geometry ? Projection::matrix : Projection::panorama;
-    setup.composite.target_format = rhi::Format::rgba32_float;
-    setup.composite.scene_color = setup.composite.scene_depth = geometry;
-    return setup;
-}
-
-/// The atmosphere's own parameters, whatever the wavelengths.
-AtmosphereParameters as_it_is(const AtmosphereParameters& rgb, const std::array<double, 3>&) { return rgb; }
-AtmosphereParameters of_earth(const AtmosphereParameters&, const std::array<double, 3>& nm) { return spectrum::earth(nm); }
-
-Wavelengths red_green_blue(double scale = 1) {
-    return {{680, 550, 440}, {Rgb(scale, 0, 0), Rgb(0, 2 * scale, 0), Rgb(0, 0, 3 * scale)}};
-}
-
-/// A model on a backend: the sky around, and landscape through it.
-struct Shown {
-    Shown(Backend& backend, const ModelPtr& model, const AtmosphereParameters& air = presets::earth())
-        : around(backend, with(setup_of(model), air)), land(backend, with(setup_of(model, true), air)) {
-        const DepthConvention convention = perspective_conventions(1.5).front();
-        const SceneTextures textures = upload(backend, picture, patches, convention);
-        targets.scene_color = textures.color;
-        targets.scene_depth = textures.depth;
-        projection = convention.projection;
-        around.record_air();
-        land.record_air();
-    }
-    static Setup with(Setup setup, const AtmosphereParameters& air) {
-        setup.air = air;
-        return setup;
-    }
-    std::vector<Image> show(double elevation) { return show(sun_at(elevation)); }
-    std::vector<Image> show(const Sun& sun) {
-        Camera camera = camera_at(around.setup.air.planet, 200);
-        camera.kind = Projection::panorama;
-        around.record_view(camera, sun);
-        camera.kind = Projection::matrix;
-        camera.projection = projection;
-        land.record_view(camera, sun);
-        return {around.show(panorama), land.show(picture, targets), around.light()};
-    }
-    Rig around, land;
-    CompositeTargets targets;
-    glm::dmat4 projection{1};
-};
-
-Image sky(Rig& rig, double elevation) {
-    Camera camera = camera_at(rig.setup.air.planet, 200);
-    camera.kind = Projection::panorama;
-    rig.record_view(camera, sun_at(elevation));
-    return rig.show(panorama);
-}
-
-}  // namespace
 
 TEST_CASE("spectral: red, green and blue in place of wavelengths change no bit") {
     const auto cpu = open_cpu_float();
@@ -229,108 +86,6 @@ TEST_CASE("spectral: a sky is the sum of the skies at each triplet") {
             std::printf("spectral: %s, %d wavelengths: %s%s\n", std::string(model->name()).c_str(), count, worst.text().c_str(),
                         negative ? "; some of it out of gamut" : "");
         }
-    }
-}
-
-TEST_CASE(
-    "spectral: a picture by pixels is the sum of those at each triplet, with what the host and the suns put behind the air") {
-    const auto cpu = open_cpu_double();
-    std::vector<ModelPtr> inner = models_by_pixels();
-    inner.push_back(models::reference(few_paths(true)));
-    inner.push_back(models::reference(few_paths(false)));
-    inner.erase(inner.begin() + 1);  // fog of one colour, which is RGB
-    for (const Wavelengths& set : {spectrum::fitted(4), spectrum::equal_bins(9)}) {
-        const std::vector<spectrum::Triplet> triplets = spectrum::triplets(set);
-        const Rgb sun = models::solar_rec709(set);
-        for (const ModelPtr& model : inner) {
-            // What is behind the air is grey: it is RGB, in which triplets know no red.
-            Image grey{picture, {}};
-            for (std::uint32_t i = 0; i < picture.width * picture.height; ++i)
-                grey.texels.emplace_back(glm::dvec3(0.1 + 0.05 * (i % 7)), 1);
-            const rhi::Texture behind = cpu->make("grey", rhi::Format::rgba32_float, grey);
-            Shown all(*cpu, models::spectral(model, {set, of_earth}));
-            all.targets.scene_color = behind;
-            std::vector<std::unique_ptr<Shown>> parts;
-            for (const spectrum::Triplet& triplet : triplets) {
-                parts.push_back(std::make_unique<Shown>(*cpu, model, spectrum::earth(triplet.nm)));
-                parts.back()->targets.scene_color = behind;
-            }
-            Worst worst;
-            for (const double elevation : {60.0, -1.0}) {
-                Sun wide = sun_at(elevation);
-                wide.angular_radius_rad = 0.4;  // seen by some pixels
-                wide.limb_darkening = LimbDarkening::none;
-                const std::vector<Image> shown = all.show(wide);
-                std::vector<std::vector<Image>> by_triplet;  // each once: films go on adding up
-                for (const std::unique_ptr<Shown>& part : parts) by_triplet.push_back(part->show(wide));
-                for (std::size_t i = 0; i < shown.size(); ++i) {
-                    Image sum{shown[i].extent, std::vector<glm::dvec4>(shown[i].texels.size())};
-                    for (std::size_t k = 0; k < parts.size(); ++k) {
-                        const Image& part = by_triplet[k][i];
-                        for (std::size_t t = 0; t < sum.texels.size(); ++t)
-                            sum.texels[t] += glm::dvec4(triplets[k].to_rec709 * glm::dvec3(part.texels[t]) / sun, 0);
-                    }
-                    for (glm::dvec4& texel : sum.texels)
-                        texel = glm::dvec4(i == 2 ? glm::dvec3(texel) : glm::max(glm::dvec3(texel), 0.0), 1);
-                    worst.compare(shown[i], sum, {Measure::Kind::relative, 0, 1e-3}, "picture " + std::to_string(i));
-                }
-            }
-            INFO(model->name() << ", " << set.nm.size() << ": " << worst.text());
-            CHECK(worst.compared());
-            CHECK(worst.error() < 1e-6);  // sums and weights are floats
-        }
-    }
-}
-
-TEST_CASE("spectral: fog of one colour has that colour, whatever the wavelengths") {
-    const auto cpu = open_cpu_double();
-    AtmosphereParameters air = presets::earth();
-    air.planet.ground_albedo = Rgb(0);
-    models::FogSettings grey;
-    grey.mode = models::FogSettings::Mode::one_colour;
-    grey.colour = Rgb(0.3, 0.1, 0.2);
-    Shown plain(*cpu, models::fog(grey), air), wrapped(*cpu, models::spectral(models::fog(grey), {spectrum::fitted(4)}), air);
-    const std::vector<Image> a = plain.show(30), b = wrapped.show(30);
-    Worst worst;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        // The sun's light through the air, in the light's last column, is of the air.
-        const Measure measure{.kind = Measure::Kind::relative, .least = 0, .least_of_largest = 1e-3};
-        if (i < 2)
-            worst.compare(a[i], b[i], measure);
-        else
-            for (std::uint32_t x = 0; x < 9; ++x) CHECK(glm::length(a[i].at(x, 0) - b[i].at(x, 0)) < 1e-6);
-    }
-    CHECK_MESSAGE(worst.error() < 1e-6, worst.text());
-}
-
-TEST_CASE("spectral: suns of two colours are the sum of each, and a full-screen draw shows what a compute pass does") {
-    const auto cpu = open_cpu_double();
-    for (const ModelPtr& inner : models_by_pixels()) {
-        Setup setup = setup_of(models::spectral(inner, {spectrum::fitted(4)}));
-        setup.view.max_suns = 2;
-        setup.composite.sun_disk = false;
-        Rig rig(*cpu, setup);
-        setup.composite.raster = true;
-        Rig drawn(*cpu, setup);
-        rig.record_air();
-        drawn.record_air();
-        Camera camera = camera_at(setup.air.planet, 200);
-        camera.kind = Projection::panorama;
-        Sun red = sun_at(20), blue = sun_at(5);
-        red.irradiance = Rgb(2, 0.5, 0.25);
-        blue.irradiance = Rgb(0.1, 0.2, 1);
-        const auto show = [&](Rig& of, std::vector<Sun> suns) {
-            of.record_view(camera, suns);
-            return of.show(panorama);
-        };
-        const Image both = show(rig, {red, blue});
-        CHECK(show(drawn, {red, blue}) == both);
-        Image sum = show(rig, {red});
-        const Image other = show(rig, {blue});
-        for (std::size_t i = 0; i < sum.texels.size(); ++i) sum.texels[i] += other.texels[i] * glm::dvec4(1, 1, 1, 0);
-        Worst worst;
-        worst.compare(both, sum, {Measure::Kind::relative, 0, 1e-3});
-        CHECK_MESSAGE(worst.error() < 1e-6, inner->name() << worst.text());
     }
 }
 
@@ -479,9 +234,15 @@ TEST_CASE("spectral: an error on the way leaves nothing behind") {
 
 TEST_CASE("spectral: recording allocates nothing") {
     const auto cpu = cpu::create_cpu_device({});
+    const CompositeTargets targets{.target = cpu->device().create_texture(
+                                       {"target", rhi::Dimension::d2, rhi::Format::rgba32_float, picture, rhi::Usage::storage}),
+                                   .extent = picture};
+    CompositeSettings composite;
+    composite.target_format = rhi::Format::rgba32_float;
     for (const ModelPtr& inner : inner_models()) {
-        Atmosphere air(cpu->device(), presets::earth(), models::spectral(inner, {spectrum::fitted(4)}));
-        View view(air, {}, {});
+        Atmosphere air(cpu->device(), presets::earth(), models::spectral(inner, {spectrum::equal_bins(9)}));
+        View view(air, {}, composite);
+        view.prepare_composite(targets);
         const Sun sun = sun_at(20);
         AtmosphereParameters parameters = presets::earth();
         for (int frame = 0; frame < 4; ++frame) {
@@ -492,6 +253,7 @@ TEST_CASE("spectral: recording allocates nothing") {
             recording::begin_counting_allocations();
             air.record(list);
             view.record(list);
+            view.record_composite(list, targets);
             const int allocations = recording::end_counting_allocations();
             cpu->queue().submit();
             cpu->queue().wait();
@@ -500,8 +262,10 @@ TEST_CASE("spectral: recording allocates nothing") {
                 CHECK(report.recorded);
                 CHECK(report.bytes_written > 0);
             }
+            CHECK(view.reports().back().recorded);
         }
     }
+    cpu->device().destroy(targets.target, 0);
 }
 
 TEST_CASE("spectral: passes of all triplets are told as one") {

@@ -150,8 +150,10 @@ TEST_CASE("spectral: every backend shows the same") {
 
 TEST_CASE("spectral: geometry through the air, with no number below 0") {
     const auto cpu = open_cpu_float(), vulkan = open_vulkan();
+    std::string_view last;
     for (const ModelPtr& inner : inner_models()) {
-        if (inner->name() == "reference") continue;
+        if (inner->name() == "reference" || inner->name() == last) continue;
+        last = inner->name();
         const ModelPtr model = models::spectral(inner, {spectrum::equal_bins(12)});
         Shown one(*cpu, model);
         std::optional<Shown> other;

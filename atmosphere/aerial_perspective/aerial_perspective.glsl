@@ -20,6 +20,11 @@ vec3 froxel_layer(vec3 position, int layer, ivec3 size, int rows) {
                        vec3(unit_to_texture(position.x, size.x), row / real(size.y), unit_to_texture(position.z, size.z))));
 }
 
+// A kernel that runs once for every three of N wavelengths has included common/triplet.glsl.
+#ifndef AUREOLE_IN_RGB
+#define AUREOLE_IN_RGB(light) light
+#endif
+
 // (x, y) of the target in [0, 1]^2; distance in the air, km; direction in world axes. Beyond the last slice: as there.
 AerialPerspective froxel_aerial_perspective(real x, real y, real distance_km, vec3 direction) {
     ivec3 size = textureSize(aerial_perspective_table, 0);
@@ -27,7 +32,7 @@ AerialPerspective froxel_aerial_perspective(real x, real y, real distance_km, ve
     vec3 position = vec3(clamp(x, real(0), real(1)), clamp(y, real(0), real(1)),
                          slice_position(clamp(distance_km * view.froxels.y, real(0), real(1)), size.z));
     AerialPerspective result;
-    result.transmittance = exp(-froxel_layer(position, 0, size, rows));
+    result.transmittance = AUREOLE_IN_RGB(exp(-froxel_layer(position, 0, size, rows)));
     result.radiance = vec3(real(0));
     for (int sun = 0; sun < SUN_COUNT; ++sun) {
         int base = 1 + sun * sky_view_layers();
@@ -35,7 +40,7 @@ AerialPerspective froxel_aerial_perspective(real x, real y, real distance_km, ve
         real nu = dot(direction, vec3(view.sun_direction[sun]));
         for (int c = 0; c < PHASE_COUNT; ++c)
             if (phase_is_sharp(c)) radiance += froxel_layer(position, base + sharp_layer(c), size, rows) * phase_value(c, nu);
-        result.radiance += radiance * (view.table_exposure_inverse[sun] * vec3(view.sun_irradiance[sun]));
+        result.radiance += AUREOLE_IN_RGB(radiance) * (view.table_exposure_inverse[sun] * vec3(view.sun_irradiance[sun]));
     }
     return result;
 }

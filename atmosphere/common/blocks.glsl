@@ -37,6 +37,12 @@ struct ShadowBlock {
     vec4 depth;             // x: 1, or -1 if depth falls with the distance from the sun; y: bias; z, w: unused
 };
 
+// Three of N wavelengths (triplet.glsl): column c of their matrix to linear Rec.709 per unit of the sun's own colour. w: of the first
+// 1 if they are the first three, of the second 1 if they are the last, else 0.
+struct TripletBlock {
+    vec4 to_rgb[3];
+};
+
 // A camera, its suns, and what follows from them in double precision on the host.
 struct ViewBlock {
     vec4 camera;        // x: altitude in the air, km (0 .. shell thickness); y, z: unused; w: 1 if the camera is above the

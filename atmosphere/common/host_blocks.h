@@ -23,6 +23,7 @@ using AtmosphereBlock = Blocks<float>::AtmosphereBlock;
 using QuadratureBlock = Blocks<float>::QuadratureBlock;
 using ViewBlock = Blocks<float>::ViewBlock;
 using ShadowBlock = Blocks<float>::ShadowBlock;
+using TripletBlock = Blocks<float>::TripletBlock;
 
 inline constexpr int max_suns = Blocks<float>::MAX_SUNS;
 inline constexpr int max_nodes = Blocks<float>::MAX_NODES;

@@ -51,18 +51,34 @@ rhi::Sampler Objects::sampler(rhi::Filter filter) {
     return sampler;
 }
 
-rhi::Pipeline Objects::compute(const rhi::Shader& shader, std::span<const rhi::Specialization> values) {
+template <class Create>
+rhi::Pipeline Objects::pipeline(const rhi::Shader& shader, std::span<const rhi::Specialization> values, rhi::Format target,
+                                const Create& create) {
+    const auto same = [](const rhi::Specialization& a, const rhi::Specialization& b) {
+        return a.id == b.id && a.bits == b.bits;
+    };
+    for (const MadePipeline& made : pipelines_)
+        if (made.shader == &shader && made.target == target && std::ranges::equal(made.values, values, same))
+            return made.handle;
     handles_.reserve(handles_.size() + 1);
-    const rhi::Pipeline pipeline = device_->create_compute_pipeline({std::string(shader.name), &shader, values});
-    handles_.emplace_back(pipeline);
-    return pipeline;
+    pipelines_.reserve(pipelines_.size() + 1);
+    MadePipeline made{&shader, {values.begin(), values.end()}, target, {}};
+    made.handle = create();
+    handles_.emplace_back(made.handle);
+    pipelines_.push_back(std::move(made));
+    return pipelines_.back().handle;
+}
+
+rhi::Pipeline Objects::compute(const rhi::Shader& shader, std::span<const rhi::Specialization> values) {
+    return pipeline(shader, values, rhi::Format::undefined, [&] {
+        return device_->create_compute_pipeline({std::string(shader.name), &shader, values});
+    });
 }
 
 rhi::Pipeline Objects::raster(const rhi::Shader& shader, std::span<const rhi::Specialization> values, rhi::Format target) {
-    handles_.reserve(handles_.size() + 1);
-    const rhi::Pipeline pipeline = device_->create_raster_pipeline({std::string(shader.name), &shader, values, target});
-    handles_.emplace_back(pipeline);
-    return pipeline;
+    return pipeline(shader, values, target, [&] {
+        return device_->create_raster_pipeline({std::string(shader.name), &shader, values, target});
+    });
 }
 
 rhi::BindingSet Objects::bindings(std::string_view name, rhi::Pipeline pipeline, std::span<const rhi::Binding> slots) {

@@ -44,6 +44,7 @@ public:
     /// A buffer that holds these bytes for one copy to a texture.
     [[nodiscard]] TrackedBuffer upload(std::string_view name, std::span<const std::byte> bytes);
     [[nodiscard]] rhi::Sampler sampler(rhi::Filter filter);
+    /// Of equal shaders and values the same pipeline, as for the triplets of N wavelengths.
     [[nodiscard]] rhi::Pipeline compute(const rhi::Shader& shader, std::span<const rhi::Specialization> values);
     [[nodiscard]] rhi::Pipeline raster(const rhi::Shader& shader, std::span<const rhi::Specialization> values,
                                        rhi::Format target);
@@ -58,9 +59,20 @@ public:
     [[nodiscard]] std::uint64_t texture_bytes() const noexcept { return texture_bytes_; }
 
 private:
+    struct MadePipeline {
+        const rhi::Shader* shader;
+        std::vector<rhi::Specialization> values;
+        rhi::Format target;  ///< undefined: none, it computes.
+        rhi::Pipeline handle;
+    };
+    template <class Create>
+    rhi::Pipeline pipeline(const rhi::Shader& shader, std::span<const rhi::Specialization> values, rhi::Format target,
+                           const Create& create);
+
     rhi::Device* device_;
     const std::uint64_t* frame_;
     std::vector<rhi::AnyHandle> handles_;
+    std::vector<MadePipeline> pipelines_;
     std::uint64_t texture_bytes_ = 0;
 };
 

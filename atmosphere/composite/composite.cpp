@@ -26,24 +26,32 @@ void validate(const CompositeSettings& settings) {
 
 CompositePass::CompositePass(ViewResources& shared, const ModelKernels& kernels, const ShadowPass& shadows,
                              const CompositeSettings& settings)
-    : shared_(shared),
-      kernels_(kernels),
-      shadows_(shadows),
-      settings_(settings),
-      shader_(settings.raster ? kernels.composite_raster : kernels.composite) {
+    : shared_(shared), kernels_(kernels), shadows_(shadows), settings_(settings), runs_(runs_of(shared, kernels)) {
     prepared_.reserve(max_prepared + 1);
     make_pipelines(false);
 }
 
-void CompositePass::make_pipelines(bool given_directions) {
-    rhi::Pipeline(&pair)[2] = pipelines_[given_directions ? 1 : 0];
-    if (!pair[0]) pair[0] = pipeline(given_directions, false);
-    if (kernels_.space_constant != 0 && !pair[1]) pair[1] = pipeline(given_directions, true);
+const rhi::Shader& CompositePass::shader(std::size_t run) const noexcept {
+    const ModelKernels& kernels = *runs_[run].kernels;
+    return draws(run) ? *kernels.composite_raster : *kernels.composite;
 }
 
-rhi::Pipeline CompositePass::pipeline(bool given_directions, bool from_space) {
-    Specialize values = shared_.specialize();
-    for (const rhi::Specialization& value : kernels_.specialization) values.set(value);
+void CompositePass::make_pipelines(bool given_directions) {
+    std::vector<rhi::Pipeline>(&pair)[2] = pipelines_[given_directions ? 1 : 0];
+    for (const bool from_space : {false, true}) {
+        std::vector<rhi::Pipeline>& pipelines = pair[from_space ? 1 : 0];
+        if (!pipelines.empty() || (from_space && kernels_.space_constant == 0)) continue;
+        for (std::size_t run = 0; run < runs_.size(); ++run) {
+            const Specialize values = specialization(runs_[run], given_directions, from_space);
+            pipelines.push_back(draws(run) ? shared_.objects.raster(shader(run), values.values(), settings_.target_format)
+                                           : shared_.objects.compute(shader(run), values.values()));
+        }
+    }
+}
+
+Specialize CompositePass::specialization(const TripletKernels& run, bool given_directions, bool from_space) const {
+    Specialize values = run.shared->specialize();
+    for (const rhi::Specialization& value : run.kernels->specialization) values.set(value);
     values.set(16, settings_.scene_color).set(17, settings_.scene_depth);
     values.set(18, kernels_.aerial_perspective && settings_.scene_depth);
     values.set(19, settings_.sun_disk).set(20, static_cast<int>(settings_.tone_map)).set(21, settings_.encode_srgb);
@@ -54,8 +62,7 @@ rhi::Pipeline CompositePass::pipeline(bool given_directions, bool from_space) {
         values.set(39, static_cast<int>(shadows_.settings().size.depth));
         values.set(40, static_cast<int>(shadows_.settings().cascades));
     }
-    return settings_.raster ? shared_.objects.raster(*shader_, values.values(), settings_.target_format)
-                            : shared_.objects.compute(*shader_, values.values());
+    return values;
 }
 
 void CompositePass::check(const CompositeTargets& targets) const {
@@ -93,25 +100,37 @@ void CompositePass::check_sizes(const CompositeTargets& targets) const {
 }
 
 CompositePass::Prepared CompositePass::bind(const CompositeTargets& targets, rhi::Texture shadow_map, std::uint64_t use) const {
-    AirResources& air = shared_.air;
+    Prepared prepared{targets, shared_.objects.sibling(), {}, {}, use};
+    while (prepared.sums.size() < sums_between(runs_.size()))
+        prepared.sums.push_back(prepared.objects->texture({"composite sum", rhi::Dimension::d2, rhi::Format::rgba32_float,
+                                                           targets.extent, rhi::Usage::sampled | rhi::Usage::storage}));
+    for (std::size_t run = 0; run < runs_.size(); ++run) prepared.bindings.push_back(bind(prepared, run, shadow_map));
+    return prepared;
+}
+
+rhi::BindingSet CompositePass::bind(const Prepared& prepared, std::size_t run, rhi::Texture shadow_map) const {
+    const CompositeTargets& targets = prepared.targets;
+    const ViewResources& shared = *runs_[run].shared;
+    const AirResources& air = shared.air;
+    const auto sum = [&](std::size_t after) { return prepared.sums[after % prepared.sums.size()].handle; };
     // Slots that the settings leave unread still need a readable texture.
     const auto or_blank = [&](rhi::Texture texture) { return texture ? texture : air.profile_table.handle; };
-    std::vector<rhi::Binding> slots = kernels_.tables;
+    std::vector<rhi::Binding> slots = runs_[run].kernels->tables;
     slots.insert(slots.end(), {{0, {}, {}, air.block.handle},
-                               {1, {}, {}, shared_.block.handle},
+                               {1, {}, {}, shared.block.handle},
                                {5, or_blank(targets.scene_color), air.nearest, {}},
                                {6, or_blank(targets.scene_depth), air.nearest, {}},
                                {7, air.phase_table.handle, air.nearest, {}},
                                {8, or_blank(targets.directions), air.nearest, {}},
-                               {9, targets.target, {}, {}},
+                               {9, run + 1 < runs_.size() ? sum(run) : targets.target, {}, {}},
                                {10, air.profile_table.handle, air.nearest, {}},
                                {12, or_blank(shadows_.table().handle), shadows_.enabled() ? air.linear : air.nearest, {}},
                                {13, or_blank(shadow_map), air.nearest, {}},
-                               {14, {}, {}, shadows_.enabled() ? shadows_.block() : shared_.block.handle}});
-    auto objects = shared_.objects.sibling();
-    const rhi::BindingSet set =
-        objects->bindings("composite", pipelines_[targets.directions ? 1 : 0][0], bindings_of(*shader_, slots));
-    return {targets, std::move(objects), set, use};
+                               {14, {}, {}, shadows_.enabled() ? shadows_.block() : shared.block.handle},
+                               shared.triplet_binding(),
+                               {16, run > 0 ? sum(run - 1) : air.profile_table.handle, air.nearest, {}}});
+    const rhi::Pipeline pipeline = pipelines_[targets.directions ? 1 : 0][0][run];
+    return prepared.objects->bindings("composite", pipeline, bindings_of(shader(run), slots));
 }
 
 void CompositePass::prepare(const CompositeTargets& targets) {
@@ -149,6 +168,11 @@ CompositePass::Prepared* CompositePass::find(const CompositeTargets& targets) no
     return nullptr;
 }
 
+void CompositePass::invalidate() noexcept {
+    for (Prepared& p : prepared_)
+        for (TrackedTexture& sum : p.sums) forget(sum);
+}
+
 void CompositePass::record(rhi::CommandList& commands, const CompositeTargets& targets, bool from_space, std::uint64_t frame,
                            PassReport& report, TimestampSlots timestamps, std::uint32_t index) {
     Prepared* p = find(targets);
@@ -157,16 +181,24 @@ void CompositePass::record(rhi::CommandList& commands, const CompositeTargets& t
     const glm::vec4 size(static_cast<float>(targets.extent.width), static_cast<float>(targets.extent.height),
                          static_cast<float>(frame % 1024), 0.0F);
     const auto push = std::as_bytes(std::span(&size, 1));
-    const rhi::Pipeline pipeline = pipelines_[targets.directions ? 1 : 0][from_space && kernels_.space_constant != 0 ? 1 : 0];
+    const bool space = from_space && kernels_.space_constant != 0;
+    const std::span<const rhi::Pipeline> pipelines = pipelines_[targets.directions ? 1 : 0][space ? 1 : 0];
     PassScope scope(commands, report, timestamps, index);
     const rhi::Extent pixels{targets.extent.width, targets.extent.height, 1};
-    if (settings_.raster) {
-        commands.draw_fullscreen({pipeline, p->bindings, push, targets.target});
-        report.invocations = std::uint64_t{pixels.width} * pixels.height;
-    } else {
-        scope.dispatch(*shader_, pipeline, p->bindings, pixels, push);
+    report.bytes_written = std::uint64_t{pixels.width} * pixels.height * rhi::bytes_per_texel(settings_.target_format);
+    for (std::size_t run = 0; run < runs_.size(); ++run) {
+        TrackedTexture* sum = run + 1 < runs_.size() ? &p->sums[run % p->sums.size()] : nullptr;
+        if (sum != nullptr) move(commands, {{sum, rhi::State::storage_write}});
+        if (draws(run)) {
+            commands.draw_fullscreen({pipelines[run], p->bindings[run], push, targets.target});
+            report.invocations += std::uint64_t{pixels.width} * pixels.height;
+        } else {
+            scope.dispatch(shader(run), pipelines[run], p->bindings[run], pixels, push);
+        }
+        if (sum == nullptr) continue;
+        move(commands, {{sum, rhi::State::sampled}});
+        report.bytes_written += sum->bytes;
     }
-    report.bytes_written = report.invocations * rhi::bytes_per_texel(settings_.target_format);
 }
 
 }  // namespace aureole::detail

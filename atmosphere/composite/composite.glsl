@@ -5,6 +5,7 @@
 //   vec3 sky_radiance(vec3 direction, ViewDirection v, vec3 beyond): sky and bare ground, with `beyond` (stars, disks) behind the air,
 //     which matters only if SUN_DISK or SCENE_COLOR;
 //   AerialPerspective aerial_perspective(real x, real y, real distance_km, vec3 direction): of the air up to a distance in it.
+// Both in RGB: what the air sends and lets through has gone through in_rgb (triplet.glsl), unless all of it comes from tables.
 #ifndef AUREOLE_COMPOSITE_GLSL
 #define AUREOLE_COMPOSITE_GLSL
 
@@ -41,7 +42,10 @@ vec3 disks(vec3 direction) {
     return radiance;
 }
 
-// Scene-linear radiance of a pixel.
+// Light without what shadows take of it, which is known in RGB. Parts of light may be negative; their sum is not shown so.
+vec3 without(vec3 light, vec3 loss) { return IN_TRIPLETS ? light - whole(loss) : max(light - loss, vec3(real(0))); }
+
+// Scene-linear radiance of a pixel; of N wavelengths the part of three.
 vec3 pixel_radiance(ivec2 pixel) {
     real x = (real(pixel.x) + real(0.5)) / target.size.x;
     real y = (real(pixel.y) + real(0.5)) / target.size.y;
@@ -67,24 +71,23 @@ vec3 pixel_radiance(ivec2 pixel) {
     if (distance_km < 0) {
         if (SUN_DISK) color += disks(ray.direction);
         color = AUREOLE_SKY_RADIANCE(pixel, ray.direction, v, color);
-        if (SHADOWS) {
-            vec3 loss = shadow_loss(x, y, real(-1), ray.direction) + ground_shadow_loss(ray.direction, v);
-            color = max(color - loss, vec3(real(0)));
-        }
+        if (SHADOWS)
+            color = without(color, shadow_loss(x, y, real(-1), ray.direction) + ground_shadow_loss(ray.direction, v));
         return color;
     }
-    if (!AERIAL_PERSPECTIVE) return color;
+    if (!AERIAL_PERSPECTIVE) return whole(color);
     real entry = distance_to_air(v);
-    if (entry < 0 || distance_km < entry) return color;
+    if (entry < 0 || distance_km < entry) return whole(color);
     AerialPerspective air = aerial_perspective(x, y, distance_km - entry, ray.direction);
-    if (SHADOWS)
-        air.radiance = max(air.radiance - shadow_loss(x, y, distance_km - entry, ray.direction), vec3(real(0)));
+    if (SHADOWS) air.radiance = without(air.radiance, shadow_loss(x, y, distance_km - entry, ray.direction));
     return color * air.transmittance + air.radiance;
 }
 
 vec4 composite_pixel(ivec2 pixel) {
     vec3 radiance = pixel_radiance(pixel);
-    if (NO_NEGATIVE) radiance = max(radiance, vec3(real(0)));
+    if (!first_triplet()) radiance += vec3(texelFetch(sum_before, pixel, 0));
+    if (!last_triplet()) return vec4(radiance, real(0));
+    if (NO_NEGATIVE || IN_TRIPLETS) radiance = max(radiance, vec3(real(0)));
     return vec4(display(radiance * view.composite.x, pixel, target.size.z), real(1));
 }
 

@@ -21,10 +21,14 @@ public:
     /// Makes bindings for all textures that the other pass is prepared for, longest unused first.
     void prepare_as(const CompositePass& other);
 
+    /// What was left between runs is lost.
+    void invalidate() noexcept;
+
     struct Prepared {
         CompositeTargets targets;
         std::unique_ptr<Objects> objects;
-        rhi::BindingSet bindings;
+        std::vector<rhi::BindingSet> bindings;  ///< By run.
+        std::vector<TrackedTexture> sums;       ///< What one run leaves to the next.
         std::uint64_t last_used = 0;
     };
     /// The bindings anew, for another shadow map; to be used once the map is.
@@ -40,9 +44,12 @@ public:
 
 private:
     [[nodiscard]] Prepared* find(const CompositeTargets& targets) noexcept;
-    [[nodiscard]] rhi::Pipeline pipeline(bool given_directions, bool from_space);
+    [[nodiscard]] bool draws(std::size_t run) const noexcept { return settings_.raster && run + 1 == runs_.size(); }
+    [[nodiscard]] const rhi::Shader& shader(std::size_t run) const noexcept;
+    [[nodiscard]] Specialize specialization(const TripletKernels& run, bool given_directions, bool from_space) const;
     void make_pipelines(bool given_directions);
     [[nodiscard]] Prepared bind(const CompositeTargets& targets, rhi::Texture shadow_map, std::uint64_t use) const;
+    [[nodiscard]] rhi::BindingSet bind(const Prepared& prepared, std::size_t run, rhi::Texture shadow_map) const;
     void check(const CompositeTargets& targets) const;
     void check_sizes(const CompositeTargets& targets) const;
 
@@ -50,10 +57,10 @@ private:
     const ModelKernels& kernels_;
     const ShadowPass& shadows_;
     CompositeSettings settings_;
-    const rhi::Shader* shader_;
-    // Camera rays, given directions (made when first prepared); the second of each where the kernel has a
+    std::vector<TripletKernels> runs_;  // of a composite: one, or one for each triplet of wavelengths
+    // By run: of camera rays, of given directions (made when first prepared); the second of each where the kernel has a
     // ModelKernels::space_constant.
-    rhi::Pipeline pipelines_[2][2];
+    std::vector<rhi::Pipeline> pipelines_[2][2];
     std::vector<Prepared> prepared_;
     std::uint64_t uses_ = 0;
 };

@@ -1,5 +1,5 @@
-// What every composite kernel reads, whichever model's sky it shows. Slots 2 to 4 and from 10 on are the model's: 10 the profile
-// table (AUREOLE_PROFILE_TABLE), if it marches; 12 to 14 are taken.
+// What every composite kernel reads, whichever model's sky it shows. Slots 2 to 4, 10, 11 and from 17 on are the model's: 10 the
+// profile table (AUREOLE_PROFILE_TABLE), if it marches.
 #ifndef AUREOLE_COMPOSITE_INPUTS_GLSL
 #define AUREOLE_COMPOSITE_INPUTS_GLSL
 
@@ -17,6 +17,7 @@ SAMPLER_2D(8, directions)
 SAMPLER_2D(12, shadow_table)
 SAMPLER_2D(13, shadow_map)
 UNIFORMS(14, ShadowBlock, shadow)
+SAMPLER_2D(16, sum_before)  // of the triplets before (triplet.glsl, which has slot 15)
 
 SPEC_BOOL(16, SCENE_COLOR, false)
 SPEC_BOOL(17, SCENE_DEPTH, false)
@@ -36,6 +37,7 @@ struct CompositeTarget {
 PUSH_CONSTANTS(CompositeTarget, target)
 
 #include "aerial_perspective/air_before.glsl"
+#include "common/triplet.glsl"
 #include "common/view_ray.glsl"
 
 #endif

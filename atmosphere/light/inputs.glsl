@@ -1,5 +1,5 @@
-// What every light kernel reads, whichever model's sky it is. Slots 2 to 4 and from 10 on are the model's: 10 the profile table
-// (AUREOLE_PROFILE_TABLE), if it marches.
+// What every light kernel reads, whichever model's sky it is. Slots 2 to 4, 10, 11 and from 15 on are the model's: 10 the profile
+// table (AUREOLE_PROFILE_TABLE), if it marches.
 #ifndef AUREOLE_LIGHT_INPUTS_GLSL
 #define AUREOLE_LIGHT_INPUTS_GLSL
 
@@ -13,6 +13,7 @@ UNIFORMS(1, ViewBlock, view)
 UNIFORMS(8, QuadratureBlock, zenith_quadrature)
 IMAGE_2D(9, light_out)
 
+#include "common/triplet.glsl"
 #include "phase/smooth_phase.glsl"
 
 #endif

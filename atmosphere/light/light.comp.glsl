@@ -12,7 +12,7 @@ SAMPLER_2D(3, transmittance_table)
 #include "sky_view/sky_view.glsl"
 
 vec3 smooth_sky_radiance(int sun, real mu, real sine, real azimuth_cosine, real nu) {
-    return sky_view_radiance(sky_view_coordinates(sun, mu, sine, azimuth_cosine), nu);
+    return in_rgb(sky_view_radiance(sky_view_coordinates(sun, mu, sine, azimuth_cosine), nu));
 }
 
 #include "light/light.glsl"

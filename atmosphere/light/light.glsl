@@ -5,7 +5,7 @@
 //
 // The including kernel has included light/inputs.glsl and the model's own functions:
 //   vec3 smooth_sky_radiance(int sun, real mu, real sine, real azimuth_cosine, real nu): what the camera sees of the air and the bare
-//     ground, per unit of the sun's irradiance, aerosols by smooth_phase: without their peak, which the few directions of the
+//     ground, per unit of the sun's irradiance, in RGB (in_rgb of triplet.glsl, unless all comes from tables), aerosols by smooth_phase: without their peak, which the few directions of the
 //     integral would miss or exaggerate;
 //   vec3 transmittance_to_top(real altitude, real mu), as transmittance.glsl has it.
 // A model that has traced the directions of the integral (directions.glsl) beforehand gives, instead of the first, an
@@ -16,6 +16,8 @@
 #include "light/directions.glsl"
 #include "light/harmonics.glsl"
 #include "light/sun.glsl"
+
+SAMPLER_2D(14, sum_before)  // of the triplets before (triplet.glsl)
 
 #ifndef AUREOLE_LIGHT_RADIANCE
 #define AUREOLE_LIGHT_RADIANCE(sun, index, at) smooth_sky_radiance(sun, at.mu, at.sine, at.azimuth_cosine, at.nu)
@@ -38,14 +40,16 @@ vec3 sky_coefficient(int sun, int coefficient) {
 
 // Irradiance of a surface that faces the sun, per unit of the sun's.
 vec3 sun_at_camera(int sun) {
-    return sun_share(view.space.x, view.sun_direction[sun].w, view.sun_azimuth[sun].w, view.sun_limb[sun].w);
+    return in_rgb(sun_share(view.space.x, view.sun_direction[sun].w, view.sun_azimuth[sun].w, view.sun_limb[sun].w));
 }
 
 COMPUTE_MAIN(id) {
     int sun = id.y;
     if (id.x > HARMONIC_COUNT || sun >= SUN_COUNT) return;
     vec3 value = id.x < HARMONIC_COUNT ? sky_coefficient(sun, id.x) : sun_at_camera(sun);
-    imageStore(light_out, ivec2(id.x, sun), vec4(value * vec3(view.sun_irradiance[sun]), real(1)));
+    vec3 lit = value * vec3(view.sun_irradiance[sun]);
+    if (!first_triplet()) lit += vec3(texelFetch(sum_before, ivec2(id.x, sun), 0));
+    imageStore(light_out, ivec2(id.x, sun), vec4(lit, real(1)));
 }
 
 #endif

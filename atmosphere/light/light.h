@@ -21,18 +21,28 @@ public:
     void invalidate() noexcept {
         forget(table_);
         forget(quadrature_);
+        for (TrackedTexture& sum : sums_) forget(sum);
     }
     [[nodiscard]] bool enabled() const noexcept { return enabled_; }
     [[nodiscard]] TrackedTexture& table() noexcept { return table_; }
 
 private:
+    /// In RGB, or of three of N wavelengths.
+    struct Run {
+        const rhi::Shader* shader;
+        rhi::Pipeline pipeline;
+        rhi::BindingSet bindings;
+    };
+    [[nodiscard]] TrackedTexture& written_by(std::size_t run) noexcept {
+        return run + 1 < runs_.size() ? sums_[run % sums_.size()] : table_;
+    }
+
     bool enabled_;
-    const rhi::Shader* shader_;
     TrackedTexture table_;
     TrackedBuffer quadrature_;
     QuadratureBlock rule_;
-    rhi::Pipeline pipeline_;
-    rhi::BindingSet bindings_;
+    std::vector<Run> runs_;
+    std::vector<TrackedTexture> sums_;  ///< What one run leaves to the next.
 };
 
 }  // namespace aureole::detail

@@ -5,10 +5,14 @@
 namespace aureole::detail {
 
 Specialize ViewResources::specialize() const {
-    return Specialize(air.air)
-        .set(6, static_cast<int>(suns))
-        .set(9, air.quality.angular_order)
-        .set(24, static_cast<int>(projection));
+    Specialize values(air.air);
+    values.set(6, static_cast<int>(suns)).set(9, air.quality.angular_order).set(24, static_cast<int>(projection));
+    if (triplet) values.set(52, true);  // IN_TRIPLETS of common/triplet.glsl
+    return values;
+}
+
+std::vector<TripletKernels> runs_of(ViewResources& shared, const ModelKernels& kernels) {
+    return kernels.triplets.empty() ? std::vector{TripletKernels{&shared, &kernels}} : kernels.triplets;
 }
 
 std::vector<rhi::Binding> bindings_of(const rhi::Shader& shader, std::span<const rhi::Binding> offered) {

@@ -17,8 +17,18 @@ struct ViewResources {
     TrackedBuffer& block;  ///< ViewBlock
     std::uint32_t suns;    ///< Most suns that the view is given.
     Projection projection;
+    rhi::Buffer triplet{};  ///< TripletBlock, if kernels compute light of three of N wavelengths; null: red, green and blue.
     /// Specialization of every kernel of a view.
     [[nodiscard]] Specialize specialize() const;
+    /// For common/triplet.glsl.
+    [[nodiscard]] rhi::Binding triplet_binding() const { return {15, {}, {}, triplet ? triplet : air.block.handle}; }
+};
+
+struct ModelKernels;
+/// What composite and light are run with for three of N wavelengths.
+struct TripletKernels {
+    ViewResources* shared;
+    const ModelKernels* kernels;
 };
 
 /// The kernels that show a model's sky, each with the slots of composite/inputs.glsl or light/inputs.glsl and the model's own.
@@ -30,9 +40,14 @@ struct ModelKernels {
     std::vector<rhi::Specialization> specialization;  ///< Beyond ViewResources::specialize.
     /// Number of a boolean constant of the composite's, true where the camera stands above the air; 0: it has none.
     std::uint32_t space_constant = 0;
-    bool aerial_perspective = true;  ///< False: geometry is left as it is.
-    bool shadows = true;             ///< Its light is single scattering of the air's terms, and more.
+    bool aerial_perspective = true;          ///< False: geometry is left as it is.
+    bool shadows = true;                     ///< Its light is single scattering of the air's terms, and more.
+    std::vector<TripletKernels> triplets{};  ///< Run in turn and added up, in place of these kernels; none: these.
 };
+/// What composite and light run: the triplets, or the kernels themselves.
+[[nodiscard]] std::vector<TripletKernels> runs_of(ViewResources& shared, const ModelKernels& kernels);
+/// Of n runs each but the last leaves its sum to the next in one of so many textures, in turn.
+[[nodiscard]] constexpr std::size_t sums_between(std::size_t runs) { return runs > 2 ? 2 : runs - 1; }
 
 /// A table of light that a model's views read, and how it is made up: for adding up the tables of several wavelengths.
 struct LightTexture {
@@ -58,8 +73,8 @@ public:
     virtual void record(rhi::CommandList& /*commands*/, std::span<PassReport> /*reports*/, TimestampSlots /*timestamps*/) {}
     /// Has been recorded since it was made.
     [[nodiscard]] virtual bool ready() const noexcept { return true; }
-    // Of models with Model::by_tables.
     [[nodiscard]] virtual bool due() const noexcept { return false; }  ///< record() has something to do.
+    /// All that is shown, of models with Model::by_tables; else those that a host may look up.
     [[nodiscard]] virtual std::vector<LightTexture> light_textures() { return {}; }
     /// For a host's own shaders (host/aureole.glsl): null where a model keeps none.
     [[nodiscard]] virtual rhi::Texture sky_view_table() const noexcept { return {}; }
@@ -85,9 +100,9 @@ public:
         return false;
     }
     [[nodiscard]] virtual bool ready() const noexcept { return true; }
-    // Of models with Model::by_tables.
-    [[nodiscard]] virtual bool due() const noexcept { return false; }  ///< record() has something to do.
-    [[nodiscard]] virtual std::vector<LightTexture> light_textures() { return {}; }
+    /// record() has something to do although the air has not changed.
+    [[nodiscard]] virtual bool due() const noexcept { return false; }
+    [[nodiscard]] virtual std::vector<LightTexture> light_textures() { return {}; }  ///< As of ModelView.
     /// False where these parameters, of the same structure, call for other objects all the same.
     [[nodiscard]] virtual bool fits(const AtmosphereParameters& /*parameters*/) const { return true; }
     /// How much of the solution for the air as it is has been recorded, in [0, 1].

@@ -39,6 +39,7 @@ struct ViewTables {
         model->invalidate();
         light.invalidate();
         shadows.invalidate();
+        composite.invalidate();
     }
 
     std::unique_ptr<Objects> objects;

@@ -19,10 +19,10 @@ vec3 sky_radiance(vec3 direction, ViewDirection v, vec3 beyond) {
     int sun = 0;
     do {  // tested at the end: see march.glsl
         coordinates = sky_view_coordinates(sun, v.mu, v.sine, dot(v.horizontal, vec3(view.sun_azimuth[sun])));
-        radiance += vec3(view.sun_irradiance[sun]) * sky_view_radiance(coordinates, dot(direction, vec3(view.sun_direction[sun])));
+        radiance += sunlit(sun, sky_view_radiance(coordinates, dot(direction, vec3(view.sun_direction[sun]))));
         ++sun;
     } while (sun < SUN_COUNT);
-    if ((SUN_DISK || SCENE_COLOR) && sine_above_horizon(v) >= 0) radiance += beyond * sky_view_transmittance(coordinates);
+    if ((SUN_DISK || SCENE_COLOR) && sine_above_horizon(v) >= 0) radiance += beyond * in_rgb(sky_view_transmittance(coordinates));
     return radiance;
 }
 

@@ -20,7 +20,6 @@ void add_backend_options(CLI::App& command, BackendOptions& options);
 /// What the scene says is replaced by what was asked for.
 struct ModelOptions {
     std::string model, quality, spectral;  ///< Empty: as the scene says.
-    /// A scene's wavelengths are left to models that have them: another one that is asked for takes RGB.
     [[nodiscard]] SceneModel of(const SceneModel& scene) const;
 };
 /// Checks the text of --spectral.

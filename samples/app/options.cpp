@@ -23,11 +23,8 @@ void add_backend_options(CLI::App& command, BackendOptions& options) {
 std::vector<std::string> strings(std::span<const std::string_view> names) { return {names.begin(), names.end()}; }
 
 SceneModel ModelOptions::of(const SceneModel& scene) const {
-    SceneModel result{model.empty() ? scene.name : model, quality.empty() ? scene.quality : quality,
-                      spectral.empty() ? scene.spectral : spectral};
-    const bool another = result.name != scene.name || result.quality != scene.quality;
-    if (spectral.empty() && another && !model_by_name(result.name, result.quality)->by_tables()) result.spectral = "rgb";
-    return result;
+    return {model.empty() ? scene.name : model, quality.empty() ? scene.quality : quality,
+            spectral.empty() ? scene.spectral : spectral};
 }
 
 void add_model_options(CLI::App& command, ModelOptions& options) {
@@ -38,8 +35,7 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
     command
         .add_option(
             "--spectral", options.spectral,
-            "Colours, instead of the scene's: rgb, or a number of wavelengths (3, 4 and 6 are fitted, others evenly spread; "
-            "models aureole, bruneton and hillaire)")
+            "Colours, instead of the scene's: rgb, or a number of wavelengths (3, 4 and 6 are fitted, others evenly spread)")
         ->check(wavelengths());
     command.footer("Models:\n" + list_models("  "));
 }

@@ -62,7 +62,7 @@ struct SceneModel {
     std::string spectral = "rgb";     ///< "rgb", or a number of wavelengths as models::wavelengths_by_name takes it.
 
     [[nodiscard]] bool in_rgb() const { return spectral == "rgb"; }
-    /// Throws Error(invalid_argument) for a name that there is not, and for wavelengths in a model that has none.
+    /// Throws Error(invalid_argument) for a name that there is not, and for a number of wavelengths out of range.
     [[nodiscard]] ModelPtr make() const;
     /// "model aureole, quality default", and ", 4 wavelengths" where it is not in RGB.
     [[nodiscard]] std::string describe() const;

@@ -205,7 +205,8 @@ public:
     void invalidate() noexcept;
     /// Prepares the bindings for these textures (may allocate; call when they change, once per swapchain image). The 16 used
     /// last stay prepared, also over Atmosphere::set_parameters; others must be prepared again. Throws and changes nothing if
-    /// something is missing.
+    /// something is missing. A model of pixels in N wavelengths (models/spectral.h) makes one or two rgba32_float textures of
+    /// the targets' size for each.
     void prepare_composite(const CompositeTargets& targets);
     /// Forgets textures that are about to be destroyed (a resized swapchain). Unknown targets are ignored.
     void release_composite(const CompositeTargets& targets) noexcept;
@@ -218,8 +219,8 @@ public:
     // Tables stay the same textures until the structure of the air changes (set_parameters).
     [[nodiscard]] rhi::Texture sky_view_table() const noexcept;            ///< See sky_view.glsl.
     [[nodiscard]] rhi::Texture aerial_perspective_table() const noexcept;  ///< See aerial_perspective.glsl.
-    /// Of a model in which frames add up (models/reference.h, if it is asked for a film); else null. rgba32_float, to be read
-    /// back.
+    /// Of a model in which frames add up (models/reference.h, if it is asked for a film; not in N wavelengths); else null.
+    /// rgba32_float, to be read back.
     [[nodiscard]] rhi::Texture film_table() const noexcept;
     /// 10 x max_suns rgba32_float texels, one row a sun: [0..8] SH-L2 coefficients of sky radiance (world axes, real basis in
     /// the order 00, 1-1, 10, 11, 2-2 .. 22), [9] the sun's transmitted irradiance at the camera. The same on every backend;

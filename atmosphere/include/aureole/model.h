@@ -32,7 +32,7 @@ public:
     virtual void validate() const = 0;
     /// Throws Error(unsupported) naming what the model needs and the device lacks.
     virtual void require(const rhi::Device& device) const = 0;
-    /// What is shown of it comes from tables alone, so that tables of several wavelengths can be added up (models/spectral.h).
+    /// What is shown of it comes from tables alone: of several wavelengths (models/spectral.h) these are added up, else pixels.
     [[nodiscard]] virtual bool by_tables() const noexcept { return false; }
     /// For the module's use: everything on the device that belongs to one air.
     [[nodiscard]] virtual std::unique_ptr<detail::ModelAir> make_air(detail::AirResources& shared,

@@ -10,7 +10,7 @@ SAMPLER_2D(3, transmittance_table)
 SAMPLER_2D(4, irradiance_table)
 #define AUREOLE_VIEW_TABLE
 SAMPLER_2D(11, view_table)
-SAMPLER_2D(13, view_depth_table)
+SAMPLER_2D(17, view_depth_table)
 
 #include "models/bruneton/bruneton_camera.glsl"
 #include "models/bruneton/bruneton_view_table.glsl"

@@ -55,7 +55,7 @@ BrunetonView::BrunetonView(ViewResources& shared, const ViewSettings& settings, 
                                {9, depth_.handle, {}, {}}});
     bindings_ = objects.bindings("bruneton view table", pipeline_, bindings_of(shaders::bruneton_view_table, slots));
     kernels_.tables.push_back({11, table_.handle, shared.air.linear, {}});
-    kernels_.tables.push_back({13, depth_.handle, shared.air.linear, {}});
+    kernels_.tables.push_back({17, depth_.handle, shared.air.linear, {}});
 }
 
 std::span<const std::string_view> BrunetonView::passes() const noexcept { return view_passes; }

@@ -8,7 +8,7 @@
 //     altitude and the sun's irradiance E there. Where nothing absorbs, b = sum_c b_c, which is the paper's equation.
 // Written S s (1 - F) / (b s), which stands for any b, 0 too.
 //
-// Needs `atm`, `view`. A kernel may take other values for the phase functions by defining AUREOLE_FOG_PHASE(c, nu).
+// Needs `atm`, `view`, triplet.glsl. A kernel may take other values for the phase functions by defining AUREOLE_FOG_PHASE(c, nu).
 #ifndef AUREOLE_FOG_GLSL
 #define AUREOLE_FOG_GLSL
 
@@ -39,9 +39,11 @@ CONST(real, ENDLESS, real(1e9))  // km
 
 vec3 fog_extinction(Medium air) { return ONE_COLOUR ? vec3(FOG_EXTINCTION) : air.extinction; }
 
-// S, per unit of the sun's irradiance above the air.
+vec3 fog_colour() { return vec3(FOG_RED, FOG_GREEN, FOG_BLUE); }
+
+// S, per unit of the sun's irradiance above the air; of one colour in wavelengths, which is RGB, the same at each of them.
 vec3 fog_source(Medium air, int sun, real nu) {
-    if (ONE_COLOUR) return FOG_EXTINCTION * vec3(FOG_RED, FOG_GREEN, FOG_BLUE);
+    if (ONE_COLOUR) return FOG_EXTINCTION * (IN_TRIPLETS ? vec3(real(1)) : fog_colour());
     vec3 scattered = vec3(real(0));
     for (int c = 0; c < PHASE_COUNT; ++c) scattered += air.scattering[c] * max(AUREOLE_FOG_PHASE(c, nu), real(0));
     return scattered * sun_share(view.space.x, view.sun_direction[sun].w, view.sun_azimuth[sun].w, view.sun_limb[sun].w);
@@ -51,19 +53,25 @@ vec3 fog_radiance(Medium air, vec3 source, real length_km) {
     return source * (length_km * mean_transmittance(fog_extinction(air) * length_km));
 }
 
+// In RGB, per unit of the sun's irradiance.
+vec3 fog_sent(Medium air, int sun, real nu, real length_km) {
+    vec3 sent = in_rgb(fog_radiance(air, fog_source(air, sun, nu), length_km));
+    return ONE_COLOUR && IN_TRIPLETS ? fog_colour() * sent : sent;
+}
+
 // How far a ray of the sky goes. Seen from space the air ends where it does: a limb without end would be a wall around the planet.
 real fog_length(Ray ray) {
     bool endless = ENDLESS_SKY && !ray.ground && ray.end > 0 && view.camera.w < real(0.5);
     return endless ? ENDLESS : ray.end;
 }
 
-// Sky and bare ground, per unit of the sun's irradiance. The ground's light has come through the real air, and goes back through
+// Sky and bare ground in RGB, per unit of the sun's irradiance. The ground's light has come through the real air, and goes back through
 // the fog.
 vec3 fog_sky_radiance(Medium air, Ray ray, int sun, real nu) {
     real length_km = fog_length(ray);
-    vec3 radiance = fog_radiance(air, fog_source(air, sun, nu), length_km);
+    vec3 radiance = fog_sent(air, sun, nu, length_km);
     if (ray.ground)
-        radiance += ground_radiance(fog_extinction(air) * length_km, ground_beam_irradiance(sun_mu_after(ray, ray.end, real(0))));
+        radiance += in_rgb(ground_radiance(fog_extinction(air) * length_km, ground_beam_irradiance(sun_mu_after(ray, ray.end, real(0)))));
     return radiance;
 }
 

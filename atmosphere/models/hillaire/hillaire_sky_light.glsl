@@ -36,21 +36,20 @@ vec3 sky_radiance(vec3 direction, ViewDirection v, vec3 beyond) {
     vec3 radiance = vec3(real(0));
     for (int sun = 0; sun < SUN_COUNT; ++sun) {
         real azimuth_cosine = dot(v.horizontal, vec3(view.sun_azimuth[sun]));
-        vec3 irradiance = vec3(view.sun_irradiance[sun]);
         if (FAST_SKY) {
             vec3 coordinates = sky_view_coordinates(sun, v.mu, v.sine, azimuth_cosine);
-            radiance += irradiance * sky_view_radiance(coordinates, dot(direction, vec3(view.sun_direction[sun])));
+            radiance += sunlit(sun, sky_view_radiance(coordinates, dot(direction, vec3(view.sun_direction[sun]))));
         } else if (!past) {
             Ray ray = camera_ray(min(real(0.5) * chord, real(1)), below, azimuth_cosine, sun);
             RayLight light = march_steps(ray, RAY_STEPS, true);
             vec3 marched = gathered(ray, light);
             if (below) marched += ground_radiance(light.depth, ground_beam_irradiance(sun_mu_after(ray, ray.end, real(0))));
-            radiance += irradiance * marched;
+            radiance += sunlit(sun, marched);
         }
     }
     if ((SUN_DISK || SCENE_COLOR) && !below) {
         Ray ray = camera_ray(min(real(0.5) * chord, real(1)), below, real(1), 0);
-        radiance += past ? beyond : beyond * transmittance_to_top(ray.altitude, ray.mu);
+        radiance += past ? whole(beyond) : beyond * in_rgb(transmittance_to_top(ray.altitude, ray.mu));
     }
     return radiance;
 }
@@ -60,14 +59,14 @@ AerialPerspective aerial_perspective(real x, real y, real distance_km, vec3 dire
     ViewDirection v = view_direction(direction);
     real entry = max(distance_to_air(v), real(0));
     AerialPerspective result;
-    result.transmittance = vec3(real(1));
+    result.transmittance = in_rgb(vec3(real(1)));
     result.radiance = vec3(real(0));
     for (int sun = 0; sun < SUN_COUNT; ++sun) {
         Ray ray = air_ray(v, entry, sun, dot(direction, vec3(view.sun_direction[sun])));
         ray.end = min(distance_km, distance_to_top(ray.altitude, ray.mu));
         RayLight light = march_steps(ray, RAY_STEPS, true);
-        result.radiance += gathered(ray, light) * vec3(view.sun_irradiance[sun]);
-        result.transmittance = transmittance_shown(light.depth);
+        result.radiance += sunlit(sun, gathered(ray, light));
+        result.transmittance = in_rgb(transmittance_shown(light.depth));
     }
     return result;
 }

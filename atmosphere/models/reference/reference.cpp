@@ -117,7 +117,8 @@ void ReferenceView::make_film(ViewResources& shared) {
                      rhi::Binding{3, next_.handle, {}, {}},
                      rhi::Binding{7, shared.air.phase_table.handle, shared.air.nearest, {}},
                      rhi::Binding{10, shared.air.profile_table.handle, shared.air.nearest, {}},
-                     rhi::Binding{11, {}, {}, quadrature_.handle}};
+                     rhi::Binding{11, {}, {}, quadrature_.handle},
+                     shared.triplet_binding()};
     start_ = shared.objects.bindings("film, new", pipeline_, slots);
     slots[2].texture = film_.handle;
     go_on_ = shared.objects.bindings("film", pipeline_, slots);
@@ -142,7 +143,8 @@ void ReferenceView::make_light(ViewResources& shared) {
                                                {8, {}, {}, zeniths_.handle},
                                                {9, light_.handle, {}, {}},
                                                {10, shared.air.profile_table.handle, shared.air.nearest, {}},
-                                               {11, {}, {}, quadrature_.handle}});
+                                               {11, {}, {}, quadrature_.handle},
+                                               shared.triplet_binding()});
 }
 
 std::span<const std::string_view> ReferenceView::passes() const noexcept {
@@ -175,8 +177,7 @@ void ReferenceView::invalidate() noexcept {
 
 void ReferenceView::record(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps) {
     if (quadrature_.state == rhi::State::undefined) update_block(commands, quadrature_, rule_);
-    const bool more = paths_ < settings_.max_paths && settings_.paths_per_frame > 0;
-    if (has_film() && (more || !started_)) record_film(commands, reports[0], timestamps);
+    if (film_due()) record_film(commands, reports[0], timestamps);
     if (has_light_ && light_stale_) {
         const std::uint32_t pass = has_film() ? 1 : 0;
         record_light(commands, reports[pass], timestamps, pass);
@@ -212,6 +213,15 @@ void ReferenceView::record_light(rhi::CommandList& commands, PassReport& report,
     move(commands, {{&light_, rhi::State::sampled}});
     report.bytes_written = light_.bytes;
     light_stale_ = false;
+}
+
+bool ReferenceView::film_due() const noexcept {
+    const bool more = paths_ < settings_.max_paths && settings_.paths_per_frame > 0;
+    return has_film() && (more || !started_);
+}
+
+bool ReferenceView::due() const noexcept {
+    return quadrature_.state == rhi::State::undefined || film_due() || (has_light_ && light_stale_);
 }
 
 bool ReferenceView::ready() const noexcept {

@@ -11,7 +11,7 @@
 //
 // The first order is an integral along a line and needs no paths: Gauss nodes (march.glsl), or, if FIRST_ORDER_SAMPLED, as the rest.
 //
-// Needs `atm`, `view`, `quadrature` and both of the user's tables.
+// Needs `atm`, `view`, `quadrature`, triplet.glsl and both of the user's tables.
 #ifndef AUREOLE_REFERENCE_GLSL
 #define AUREOLE_REFERENCE_GLSL
 
@@ -55,18 +55,20 @@ vec3 turned(vec3 axis, real cosine, real u) {
     return normalize(cosine * axis + sine * (cos(azimuth) * a + sin(azimuth) * b));
 }
 
-// Light of the suns from a place on the leg, in the air or on the ground at its end, on its way along the leg, per unit of weight.
-vec3 light_from(Walk walk, real t, bool on_ground, int only) {
+// Light of the suns from a place on the leg, in the air or on the ground at its end, on its way along the leg, of this weight.
+vec3 light_from(Walk walk, real t, bool on_ground, vec3 weight, int only) {
     Walk there = walk_on(walk, t, on_ground);
     Medium air = sample_medium(there.altitude);
+    vec3 through = exp(-optical_depth_along(walk.altitude, walk.mu, t));
     vec3 radiance = vec3(real(0));
     for (int sun = 0; sun < SUN_COUNT; ++sun) {
         vec3 towards = vec3(view.sun_direction[sun]);
         real mu_s = dot(there.up, towards);
         vec3 sent = on_ground ? max(mu_s, real(0)) / PI * vec3(atm.ground_albedo) : scattered_to(air, walk.direction, towards);
-        radiance += sent * transmittance_to_sun(there.altitude, mu_s) * sunlight(sun, only);
+        vec3 lit = sent * transmittance_to_sun(there.altitude, mu_s);
+        radiance += lit_by(sun, only, IN_TRIPLETS ? weight * (through * lit) : lit);
     }
-    return exp(-optical_depth_along(walk.altitude, walk.mu, t)) * radiance;
+    return IN_TRIPLETS ? radiance : weight * (through * radiance);
 }
 // The same roughly, to choose between the two.
 real rough_ground_light(Walk walk, Leg leg, vec3 weight, int only) {
@@ -86,7 +88,7 @@ vec3 light_on_leg(Walk walk, Leg leg, vec3 weight, vec4 random, int only) {
     bool on_ground = random.x < share;
     Place place = draw_lit_place(leg, light, random.y, random.z);
     real density = on_ground ? share : place.density * (1 - share);
-    return density > 0 ? weight / density * light_from(walk, on_ground ? leg.end : place.t, on_ground, only) : vec3(real(0));
+    return density > 0 ? light_from(walk, on_ground ? leg.end : place.t, on_ground, weight / density, only) : vec3(real(0));
 }
 
 // Light scattered or reflected once, by quadrature. A kernel may take other values of phase functions by defining
@@ -123,7 +125,7 @@ vec3 first_order(Walk walk, Leg leg, int only) {
             ++part;
         } while (part < FIRST_ORDER_PARTS);
         if (leg.ground) sum += ground_radiance(depth, ground_beam_irradiance(sun_mu_after(whole, leg.end, real(0))));
-        radiance += sum * sunlight(sun, only);
+        radiance += lit_by(sun, only, sum);
     }
     return radiance;
 }

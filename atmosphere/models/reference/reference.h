@@ -27,10 +27,12 @@ public:
     void invalidate() noexcept override;
     void record(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps) override;
     [[nodiscard]] bool ready() const noexcept override;
+    [[nodiscard]] bool due() const noexcept override;
     [[nodiscard]] rhi::Texture film_table() const noexcept override { return film_.handle; }
 
 private:
     [[nodiscard]] bool has_film() const noexcept { return settings_.film_width > 0; }
+    [[nodiscard]] bool film_due() const noexcept;
     void make_film(ViewResources& shared);
     void make_light(ViewResources& shared);
     void restart_film() noexcept;

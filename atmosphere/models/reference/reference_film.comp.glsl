@@ -15,6 +15,7 @@ struct FilmFrame {
 };
 PUSH_CONSTANTS(FilmFrame, film_frame)
 
+#include "common/triplet.glsl"
 #include "models/reference/film.glsl"
 
 LOCAL_SIZE(8, 8, 1)

@@ -14,7 +14,7 @@ SPEC_INT(8, RAY_NODES, 16)
 vec3 traced_radiance(int sun, int index) {
     vec3 sum = vec3(real(0));
     for (int part = 0; part < LIGHT_PARTS; ++part) sum += vec3(texelFetch(traced_light, ivec2(index, sun * LIGHT_PARTS + part), 0));
-    return sum;
+    return in_rgb(sum);
 }
 #define AUREOLE_LIGHT_RADIANCE(sun, index, at) traced_radiance(sun, index)
 

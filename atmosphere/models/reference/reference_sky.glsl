@@ -37,11 +37,11 @@ vec3 traced(ivec2 pixel, Walk walk, Leg leg) {
 
 vec3 traced_sky(ivec2 pixel, vec3 direction, ViewDirection v, vec3 beyond) {
     CameraWalk start = camera_walk(direction, v);
-    if (!start.met) return SHOW_ERROR ? vec3(real(0)) : beyond;
+    if (!start.met) return SHOW_ERROR ? vec3(real(0)) : whole(beyond);
     Leg leg = leg_to_end(start.walk, FIRST_ORDER_SAMPLED, ALL_SUNS);
     vec3 behind = vec3(real(0));
     if ((SUN_DISK || SCENE_COLOR) && !SHOW_ERROR && !leg.ground)
-        behind = beyond * exp(-optical_depth_along(start.walk.altitude, start.walk.mu, leg.end));
+        behind = beyond * in_rgb(exp(-optical_depth_along(start.walk.altitude, start.walk.mu, leg.end)));
     if (FILM && !GIVEN_DIRECTIONS) return film_sky(pixel) + behind;
     return traced(pixel, start.walk, leg) + behind;
 }
@@ -50,7 +50,7 @@ AerialPerspective aerial_perspective(real x, real y, real distance_km, vec3 dire
     CameraWalk start = camera_walk(direction, view_direction(direction));
     real end = min(distance_km, distance_to_top(start.walk.altitude, start.walk.mu));
     AerialPerspective result;
-    result.transmittance = SHOW_ERROR ? vec3(real(0)) : exp(-optical_depth_along(start.walk.altitude, start.walk.mu, end));
+    result.transmittance = SHOW_ERROR ? vec3(real(0)) : in_rgb(exp(-optical_depth_along(start.walk.altitude, start.walk.mu, end)));
     result.radiance = traced(ivec2(int(x * target.size.x), int(y * target.size.y)), start.walk,
                              make_leg(start.walk, end, false, FIRST_ORDER_SAMPLED, ALL_SUNS));
     return result;

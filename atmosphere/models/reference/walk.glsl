@@ -8,10 +8,17 @@
 
 CONST(int, ALL_SUNS, -1)
 
-// Light of a sun at the top of the air: all suns together, or of one a unit.
+// Light of a sun at the top of the air: all suns together, or of one a unit. In wavelengths, which have no colour in RGB, its brightness.
 vec3 sunlight(int sun, int only) {
-    if (only == ALL_SUNS) return vec3(view.sun_irradiance[sun]);
+    vec3 irradiance = vec3(view.sun_irradiance[sun]);
+    if (IN_TRIPLETS) irradiance = vec3((irradiance.x + irradiance.y + irradiance.z) / 3);
+    if (only == ALL_SUNS) return irradiance;
     return vec3(only == sun ? real(1) : real(0));
+}
+// What the suns' light makes of light per unit of it. All together: in RGB, so that suns of several colours add up.
+vec3 lit_by(int sun, int only, vec3 light) {
+    if (IN_TRIPLETS && only == ALL_SUNS) return sunlit(sun, light);
+    return light * sunlight(sun, only);
 }
 
 // A point in the air and a direction there.

@@ -66,6 +66,7 @@ public:
         if (dome_ && stale_) dome_->record(commands, reports[0], timestamps, 0);
         stale_ = false;
     }
+    [[nodiscard]] bool due() const noexcept override { return dome_ && stale_; }
     [[nodiscard]] bool ready() const noexcept override { return !dome_ || dome_->table().state != rhi::State::undefined; }
 
 private:
@@ -140,6 +141,10 @@ std::unique_ptr<ModelView> SingleAir::make_view(ViewResources& shared, const Vie
     const rhi::Binding light =
         table_ ? rhi::Binding{4, table_->table().handle, shared_.linear, {}} : rhi::Binding{4, {}, {}, light_nodes_.handle};
     return std::make_unique<SingleView>(shared, setup_, std::vector{nodes, light}, settings.aerial_perspective);
+}
+
+std::vector<LightTexture> SingleAir::light_textures() {
+    return table_ ? std::vector{LightTexture{&table_->table(), 1, 0}} : std::vector<LightTexture>{};
 }
 
 rhi::Texture SingleAir::transmittance_table() const noexcept { return table_ ? table_->table().handle : rhi::Texture{}; }

@@ -32,6 +32,7 @@ public:
     void invalidate() noexcept override;
     bool record(rhi::CommandList& commands, const AtmosphereBlock& block, std::span<PassReport> reports,
                 TimestampSlots timestamps) override;
+    [[nodiscard]] std::vector<LightTexture> light_textures() override;
     [[nodiscard]] bool ready() const noexcept override { return view_nodes_.state != rhi::State::undefined; }
     [[nodiscard]] std::unique_ptr<ModelView> make_view(ViewResources& shared, const ViewSettings& settings) override;
     [[nodiscard]] rhi::Texture transmittance_table() const noexcept override;

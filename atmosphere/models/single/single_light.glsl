@@ -8,7 +8,7 @@
 vec3 smooth_sky_radiance(int sun, real mu, real sine, real azimuth_cosine, real nu) {
     Ray ray = camera_ray_towards(mu, sine, azimuth_cosine, sun);
     RayLight light = march_single(ray);
-    return scattered_once(light, nu) + ground_once(ray, light);
+    return in_rgb(scattered_once(light, nu) + ground_once(ray, light));
 }
 
 #endif

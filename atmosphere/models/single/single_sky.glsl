@@ -28,10 +28,10 @@ vec3 sky_radiance(vec3 direction, ViewDirection v, vec3 beyond) {
             seen = scattered_once(light, nu) + ground_once(ray, light);
             through = exp(-light.depth);
         }
-        radiance += vec3(view.sun_irradiance[sun]) * seen;
+        radiance += sunlit(sun, seen);
         ++sun;
     } while (sun < SUN_COUNT);
-    if ((SUN_DISK || SCENE_COLOR) && sine_above_horizon(v) >= 0) radiance += beyond * through;
+    if ((SUN_DISK || SCENE_COLOR) && sine_above_horizon(v) >= 0) radiance += beyond * in_rgb(through);
     return radiance;
 }
 
@@ -46,8 +46,8 @@ AerialPerspective aerial_perspective(real /*x*/, real /*y*/, real distance_km, v
         Ray ray = air_ray(v, entry, sun, nu);
         ray.end = min(distance_km, distance_to_top(ray.altitude, ray.mu));
         RayLight light = march_single(ray);
-        result.radiance += vec3(view.sun_irradiance[sun]) * scattered_once(light, nu);
-        result.transmittance = exp(-light.depth);
+        result.radiance += sunlit(sun, scattered_once(light, nu));
+        result.transmittance = in_rgb(exp(-light.depth));
         ++sun;
     } while (sun < SUN_COUNT);
     return result;

@@ -4,7 +4,6 @@
 #include <aureole/atmosphere.h>
 #include <aureole/models/aureole.h>
 #include <aureole/models/fog.h>
-#include <aureole/models/hillaire.h>
 #include <aureole/models/spectral.h>
 #include <aureole/presets.h>
 
@@ -36,13 +35,10 @@ TEST_CASE("spectral: settings are checked, by field") {
     CHECK(field_of({{{550, 600}, {Rgb(1), Rgb(1, NAN, 1)}}}) == "spectral.wavelengths.to_rec709[1]");
     CHECK(field_of({{{550, 600}, {Rgb(1), Rgb(1, -2, 1)}}}) == "sum of spectral.wavelengths.to_rec709");
     CHECK(field_of({}, nullptr) == "spectral.inner");
-    CHECK(field_of({}, models::fog()) == "spectral.inner");
     CHECK(field_of({}, models::spectral(models::aureole())) == "spectral.inner");
-    CHECK(field_of({}, models::hillaire(models::HillaireSettings::high())) == "spectral.inner");
-    for (const std::string_view name : model_names()) {
-        const bool tables = name == "aureole" || name == "hillaire" || name == "bruneton";
-        CHECK(field_of({}, model_by_name(name)) == (tables ? "nothing" : "spectral.inner"));
-    }
+    CHECK(field_of({}, models::spectral(models::fog())) == "spectral.inner");
+    for (const std::string_view name : model_names())
+        for (const std::string_view quality : quality_names()) CHECK(field_of({}, model_by_name(name, quality)) == "nothing");
     for (const char* name : {"rgb", "", "2", "43", "4.5", "-4", "4 "})
         CHECK(rejected_field([&] { (void)models::wavelengths_by_name(name); }) == "spectral");
     CHECK(models::wavelengths_by_name("4").nm == spectrum::fitted(4).nm);

@@ -3,6 +3,7 @@
 #include "common/check.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace aureole {
 namespace detail {
@@ -17,6 +18,7 @@ SpectralWeights weights_of(std::span<const spectrum::Triplet> triplets, const Rg
     for (std::size_t k = 0; k < triplets.size(); ++k)
         for (int c = 0; c < 3; ++c)
             weights.to_rgb[3 * k + static_cast<std::size_t>(c)] = glm::dvec4(triplets[k].to_rec709[c] / sun, 0);
+    weights.to_rgb[0].w = weights.to_rgb[3 * triplets.size() - 2].w = 1;  // TripletBlock: the first, the last
     return weights;
 }
 
@@ -55,7 +57,6 @@ rhi::Texture sum_of(std::span<const SpectralSum> sums, rhi::Texture table) noexc
 }
 
 void record_sums(rhi::CommandList& commands, std::span<SpectralSum> sums, PassReport& report, TimestampSlots timestamps) {
-    if (sums.empty()) return;
     PassScope scope(commands, report, timestamps, 1);
     report.bytes_written = 0;
     for (SpectralSum& sum : sums) sum.record(commands, scope, report);
@@ -78,11 +79,9 @@ public:
     }
     void validate() const override {
         if (!inner_) reject("spectral.inner", "null", "a model");
+        if (dynamic_cast<const SpectralModel*>(inner_.get()) != nullptr)
+            reject("spectral.inner", "a model in wavelengths", "a model in red, green and blue");
         inner_->validate();
-        if (!inner_->by_tables())
-            reject("spectral.inner", std::string("\"").append(inner_->name()).append("\" as it is set"),
-                   "a model that shows tables: aureole, bruneton, or hillaire without a march for each pixel (qualities low "
-                   "and default)");
         models::validate(settings_);
     }
     void require(const rhi::Device& device) const override { inner_->require(device); }
@@ -130,7 +129,11 @@ SpectralAir::SpectralAir(AirResources& shared, const AtmosphereParameters& param
         models.push_back(airs_.back()->model.get());
     }
     inner_reports_.make(models.front()->passes(), models.size());
-    if (sums_needed_) sums_ = make_sums<ModelAir>(shared.objects, shared.nearest, weights_buffer_, models);
+    if (!sums_needed_) return;
+    sums_ = make_sums<ModelAir>(shared.objects, shared.nearest, weights_buffer_, models);
+    if (by_tables()) return;
+    while (triplet_buffers_.size() < triplets_.size())
+        triplet_buffers_.push_back(shared.objects.constants("triplet", sizeof(TripletBlock)));
 }
 
 std::vector<SpectralAir::Triplet> SpectralAir::at_triplets(const AtmosphereParameters& rgb) const {
@@ -148,7 +151,9 @@ std::vector<SpectralAir::Triplet> SpectralAir::at_triplets(const AtmosphereParam
     return result;
 }
 
-std::span<const std::string_view> SpectralAir::passes() const noexcept { return air_passes; }
+std::span<const std::string_view> SpectralAir::passes() const noexcept {
+    return inner_reports_.named(air_passes, !sums_.empty());
+}
 
 void SpectralAir::complete(const AtmosphereParameters& parameters, AtmosphereBlock& block) const noexcept {
     airs_.front()->model->complete(parameters, block);
@@ -174,6 +179,7 @@ void SpectralAir::invalidate() noexcept {
     for (const auto& air : airs_) air->invalidate();
     for (SpectralSum& sum : sums_) sum.invalidate();
     forget(weights_buffer_);
+    for (TrackedBuffer& buffer : triplet_buffers_) forget(buffer);
 }
 
 bool SpectralAir::due() const noexcept {
@@ -185,20 +191,28 @@ bool SpectralAir::record(rhi::CommandList& commands, const AtmosphereBlock&, std
     if (!due()) return false;
     bool changed = false;
     {
-        PassScope scope(commands, reports[0], timestamps, 0);
+        std::optional<PassScope> scope;
+        if (inner_reports_.each > 0) scope.emplace(commands, reports[0], timestamps, 0);
         for (std::size_t k = 0; k < airs_.size(); ++k) {
             const std::uint64_t version = airs_[k]->version;
             airs_[k]->record(commands, inner_reports_.of(k), {});
             changed |= airs_[k]->version != version;
         }
-        inner_reports_.add_to(reports[0]);
+        if (scope) inner_reports_.add_to(reports[0]);
     }
     const bool all = std::ranges::all_of(airs_, [](const auto& air) { return air->recorded(); });
     if (!changed || !all) return changed;
-    if (weights_buffer_.state == rhi::State::undefined)
-        update(commands, weights_buffer_, std::as_bytes(std::span(weights_.to_rgb)));
-    record_sums(commands, sums_, reports[1], timestamps);
+    record_weights(commands);
+    if (!sums_.empty()) record_sums(commands, sums_, reports[1], timestamps);
     return true;
+}
+
+void SpectralAir::record_weights(rhi::CommandList& commands) {
+    if (weights_buffer_.state != rhi::State::undefined) return;
+    const std::span all = std::span(weights_.to_rgb);
+    update(commands, weights_buffer_, std::as_bytes(all));
+    for (std::size_t k = 0; k < triplet_buffers_.size(); ++k)
+        update(commands, triplet_buffers_[k], std::as_bytes(all.subspan(3 * k, 3)));
 }
 
 bool SpectralAir::ready() const noexcept {
@@ -243,22 +257,27 @@ std::unique_ptr<ModelView> SpectralAir::make_view(ViewResources& shared, const V
 
 SpectralView::SpectralView(ViewResources& shared, const ViewSettings& settings, SpectralAir& air) : air_(air) {
     std::vector<ModelView*> views;
-    for (const auto& tables : air.airs()) {
-        ViewResources own{shared.objects, tables->shared, shared.block, shared.suns, shared.projection};
+    for (std::size_t k = 0; k < air.airs().size(); ++k) {
+        const std::unique_ptr<AirTables>& tables = air.airs()[k];
+        ViewResources own{shared.objects, tables->shared, shared.block, shared.suns, shared.projection, air.triplet(k)};
         inner_.push_back(std::make_unique<Inner>(Inner{own, {}}));
         inner_.back()->view = tables->model->make_view(inner_.back()->shared, settings);
         views.push_back(inner_.back()->view.get());
     }
     inner_reports_.make(views.front()->passes(), views.size());
     kernels_ = views.front()->kernels();
+    if (air.sums()) sums_ = make_sums<ModelView>(shared.objects, shared.air.nearest, air.weights(), views);
+    if (!air.by_tables()) {
+        for (const auto& inner : inner_) kernels_.triplets.push_back({&inner->shared, &inner->view->kernels()});
+        return;
+    }
     if (!air.sums()) return;
-    sums_ = make_sums<ModelView>(shared.objects, shared.air.nearest, air.weights(), views);
     for (rhi::Binding& binding : kernels_.tables) binding.texture = shown(binding.texture);
     kernels_.specialization.push_back({50, 1});  // NO_NEGATIVE of composite/inputs.glsl
 }
 
 std::span<const std::string_view> SpectralView::passes() const noexcept {
-    return inner_reports_.each > 0 ? std::span(view_passes) : std::span<const std::string_view>{};
+    return inner_reports_.named(view_passes, !sums_.empty());
 }
 
 rhi::Texture SpectralView::shown(rhi::Texture table) const noexcept {
@@ -286,12 +305,13 @@ bool SpectralView::due() const noexcept {
 void SpectralView::record(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps) {
     if (!due()) return;
     {
-        PassScope scope(commands, reports[0], timestamps, 0);
+        std::optional<PassScope> scope;
+        if (inner_reports_.each > 0) scope.emplace(commands, reports[0], timestamps, 0);
         for (PassReport& report : inner_reports_.reports) report.recorded = false;
         for (std::size_t k = 0; k < inner_.size(); ++k) inner_[k]->view->record(commands, inner_reports_.of(k), {});
-        inner_reports_.add_to(reports[0]);
+        if (scope) inner_reports_.add_to(reports[0]);
     }
-    record_sums(commands, sums_, reports[1], timestamps);
+    if (!sums_.empty()) record_sums(commands, sums_, reports[1], timestamps);
 }
 
 bool SpectralView::ready() const noexcept {

@@ -1,4 +1,5 @@
-// Recorder of a model in N wavelengths: the model's own recorders, one a triplet, and the sums of their tables.
+// Recorder of a model in N wavelengths: the model's own recorders, one a triplet, and the sums of their tables; of a model that
+// computes light for each pixel, what its composite and light are run with, once a triplet.
 #pragma once
 
 #include "models/spectral/sum.h"
@@ -13,6 +14,10 @@ struct InnerReports {
     std::vector<PassReport> reports;  ///< Of all, one model after another.
     std::size_t each = 0;
     void make(std::span<const std::string_view> names, std::size_t models);
+    /// The first of these names, or two if there are sums; none if the models have no passes.
+    [[nodiscard]] std::span<const std::string_view> named(std::span<const std::string_view> names, bool sums) const noexcept {
+        return names.first(each == 0 ? 0 : (sums ? 2 : 1));
+    }
     [[nodiscard]] std::span<PassReport> of(std::size_t model) { return std::span(reports).subspan(model * each, each); }
     void add_to(PassReport& report) const noexcept;
 };
@@ -41,8 +46,13 @@ public:
     [[nodiscard]] TrackedBuffer& weights() noexcept { return weights_buffer_; }
     /// The sum that stands for a table of the first triplet; itself where there is none.
     [[nodiscard]] rhi::Texture shown(rhi::Texture table) const noexcept;
-    /// One triplet that is red, green and blue already.
+    /// False for one triplet that is red, green and blue already.
     [[nodiscard]] bool sums() const noexcept { return sums_needed_; }
+    [[nodiscard]] bool by_tables() const noexcept { return inner_->by_tables(); }
+    /// For ViewResources: of a model that computes light for each pixel, else null.
+    [[nodiscard]] rhi::Buffer triplet(std::size_t k) const noexcept {
+        return triplet_buffers_.empty() ? rhi::Buffer{} : triplet_buffers_[k].handle;
+    }
 
 private:
     /// The air of one triplet, on the axes of the atmosphere's tables.
@@ -51,6 +61,7 @@ private:
         PackedAtmosphere packed;
     };
     [[nodiscard]] std::vector<Triplet> at_triplets(const AtmosphereParameters& rgb) const;
+    void record_weights(rhi::CommandList& commands);
 
     AirResources& shared_;
     ModelPtr inner_;
@@ -58,6 +69,7 @@ private:
     std::vector<spectrum::Triplet> triplets_;
     SpectralWeights weights_;
     TrackedBuffer weights_buffer_;
+    std::vector<TrackedBuffer> triplet_buffers_;
     bool sums_needed_;
     std::vector<std::unique_ptr<AirTables>> airs_;
     std::vector<SpectralSum> sums_;

@@ -7,9 +7,12 @@
 // Optical depth: -log of the sun's light that comes through, sum of M_k exp(-tau_k) / E. Not below that of the clearest wavelength nor
 // above that of the darkest, which bounds what negative weights and colours out of gamut do.
 //
-// The including kernel declares the tables of the triplets, in slots 2 to 15; those from TRIPLETS on are not read.
+// The including kernel declares the tables of the triplets before, in slots 2 to 15, and AUREOLE_TEXEL, the type of a place in them;
+// those from TRIPLETS on are not read.
 #ifndef AUREOLE_SPECTRAL_SUM_GLSL
 #define AUREOLE_SPECTRAL_SUM_GLSL
+
+#include "common/to_rec709.glsl"
 
 CONST(int, MAX_TRIPLETS, 14)
 
@@ -27,8 +30,7 @@ SPEC_INT(8, TRIPLETS, 1)
 SPEC_BOOL(51, OPTICAL_DEPTH, false)
 
 vec3 to_rgb(int triplet, vec3 v) {
-    return v.x * vec3(spectral.to_rgb[3 * triplet]) + v.y * vec3(spectral.to_rgb[3 * triplet + 1]) +
-           v.z * vec3(spectral.to_rgb[3 * triplet + 2]);
+    return to_rec709(v, spectral.to_rgb[3 * triplet], spectral.to_rgb[3 * triplet + 1], spectral.to_rgb[3 * triplet + 2]);
 }
 
 vec3 radiance_sum(vec3 texel[MAX_TRIPLETS]) {
@@ -51,7 +53,22 @@ vec3 depth_sum(vec3 texel[MAX_TRIPLETS]) {
     return clamp(vec3(least) - log(max(sum, vec3(real(1e-30)))), vec3(least), vec3(most));
 }
 
-vec4 spectral_texel(vec3 texel[MAX_TRIPLETS]) {
+vec4 spectral_texel(AUREOLE_TEXEL at) {
+    vec3 texel[MAX_TRIPLETS];
+    texel[0] = vec3(texelFetch(table_0, at, 0));
+    texel[1] = TRIPLETS > 1 ? vec3(texelFetch(table_1, at, 0)) : texel[0];
+    texel[2] = TRIPLETS > 2 ? vec3(texelFetch(table_2, at, 0)) : texel[0];
+    texel[3] = TRIPLETS > 3 ? vec3(texelFetch(table_3, at, 0)) : texel[0];
+    texel[4] = TRIPLETS > 4 ? vec3(texelFetch(table_4, at, 0)) : texel[0];
+    texel[5] = TRIPLETS > 5 ? vec3(texelFetch(table_5, at, 0)) : texel[0];
+    texel[6] = TRIPLETS > 6 ? vec3(texelFetch(table_6, at, 0)) : texel[0];
+    texel[7] = TRIPLETS > 7 ? vec3(texelFetch(table_7, at, 0)) : texel[0];
+    texel[8] = TRIPLETS > 8 ? vec3(texelFetch(table_8, at, 0)) : texel[0];
+    texel[9] = TRIPLETS > 9 ? vec3(texelFetch(table_9, at, 0)) : texel[0];
+    texel[10] = TRIPLETS > 10 ? vec3(texelFetch(table_10, at, 0)) : texel[0];
+    texel[11] = TRIPLETS > 11 ? vec3(texelFetch(table_11, at, 0)) : texel[0];
+    texel[12] = TRIPLETS > 12 ? vec3(texelFetch(table_12, at, 0)) : texel[0];
+    texel[13] = TRIPLETS > 13 ? vec3(texelFetch(table_13, at, 0)) : texel[0];
     return vec4(OPTICAL_DEPTH ? depth_sum(texel) : radiance_sum(texel), real(0));
 }
 

@@ -1,118 +1,15 @@
 // Models in N wavelengths: what is added up, and what is left as it was.
 #include <doctest/doctest.h>
 
-#include <aureole/models/bruneton.h>
-#include <aureole/models/hillaire.h>
-#include <aureole/models/spectral.h>
-
+#include "models/spectral/pictures_test.h"
 #include "passes/dropped_list.h"
-#include "passes/scene.h"
-#include "passes/trio.h"
 #include "recording/allocations.h"
 
 #include <cstdio>
 
 using namespace aureole;
 using namespace aureole::passes;
-using models::SpectralSettings;
 using spectrum::Wavelengths;
-
-namespace {
-
-constexpr rhi::Extent panorama{24, 12, 1}, picture{20, 12, 1};
-constexpr double elevations[] = {60, 5, 0, -4};
-
-QualitySettings exact_quality() {
-    QualitySettings quality = small_quality();
-    quality.table_format = rhi::Format::rgba32_float;
-    return quality;
-}
-
-models::BrunetonSettings small_bruneton() {
-    models::BrunetonSettings s;
-    s.transmittance = {40, 12, 1};
-    s.irradiance = {11, 5, 1};
-    s.altitude_nodes = 5;
-    s.view_nodes = 14;
-    s.sun_nodes = 9;
-    s.nu_nodes = 4;
-    s.orders = 2;
-    s.format = rhi::Format::rgba32_float;
-    return s;
-}
-
-models::HillaireSettings small_hillaire() {
-    models::HillaireSettings s;
-    s.table_format = s.froxel_format = rhi::Format::rgba32_float;
-    s.transmittance = {40, 12, 1};
-    s.multi_scatter = {9, 7, 1};
-    s.sky_view = {11, 22, 1};
-    s.aerial_perspective = {9, 7, 6};
-    return s;
-}
-
-/// With tables in float, so that sums of pictures and pictures of sums differ by rounding alone.
-std::vector<ModelPtr> inner_models() {
-    return {models::aureole(exact_quality()), models::hillaire(small_hillaire()), models::bruneton(small_bruneton())};
-}
-
-Setup setup_of(const ModelPtr& model, bool geometry = false) {
-    Setup setup;
-    setup.model = model;
-    setup.view.projection = geometry ? Projection::matrix : Projection::panorama;
-    setup.composite.target_format = rhi::Format::rgba32_float;
-    setup.composite.scene_color = setup.composite.scene_depth = geometry;
-    return setup;
-}
-
-/// The atmosphere's own parameters, whatever the wavelengths.
-AtmosphereParameters as_it_is(const AtmosphereParameters& rgb, const std::array<double, 3>&) { return rgb; }
-AtmosphereParameters of_earth(const AtmosphereParameters&, const std::array<double, 3>& nm) { return spectrum::earth(nm); }
-
-Wavelengths red_green_blue(double scale = 1) {
-    return {{680, 550, 440}, {Rgb(scale, 0, 0), Rgb(0, 2 * scale, 0), Rgb(0, 0, 3 * scale)}};
-}
-
-/// A model on a backend: the sky around, and landscape through it.
-struct Shown {
-    Shown(Backend& backend, const ModelPtr& model, const AtmosphereParameters& air = presets::earth())
-        : around(backend, with(setup_of(model), air)), land(backend, with(setup_of(model, true), air)) {
-        const DepthConvention convention = perspective_conventions(1.5).front();
-        const SceneTextures textures = upload(backend, picture, patches, convention);
-        targets.scene_color = textures.color;
-        targets.scene_depth = textures.depth;
-        projection = convention.projection;
-        around.record_air();
-        land.record_air();
-    }
-    static Setup with(Setup setup, const AtmosphereParameters& air) {
-        setup.air = air;
-        return setup;
-    }
-    std::vector<Image> show(double elevation, const Rgb& irradiance = Rgb(1)) {
-        Sun sun = sun_at(elevation);
-        sun.irradiance = irradiance;
-        Camera camera = camera_at(around.setup.air.planet, 200);
-        camera.kind = Projection::panorama;
-        around.record_view(camera, sun);
-        camera.kind = Projection::matrix;
-        camera.projection = projection;
-        land.record_view(camera, sun);
-        return {around.show(panorama), land.show(picture, targets), around.light()};
-    }
-    Rig around, land;
-    CompositeTargets targets;
-    glm::dmat4 projection{1};
-};
-
-Image sky(Rig& rig, double elevation) {
-    Camera camera = camera_at(rig.setup.air.planet, 200);
-    camera.kind = Projection::panorama;
-    rig.record_view(camera, sun_at(elevation));
-    return rig.show(panorama);
-}
-
-}  // namespace
 
 TEST_CASE("spectral: red, green and blue in place of wavelengths change no bit") {
     const auto cpu = open_cpu_float();
@@ -150,7 +47,7 @@ TEST_CASE("spectral: a sky is the sum of the skies at each triplet") {
         const Wavelengths set = count == 6 ? spectrum::fitted(6) : spectrum::equal_bins(count);
         const std::vector<spectrum::Triplet> triplets = spectrum::triplets(set);
         const Rgb sun = models::solar_rec709(set);
-        std::vector<ModelPtr> inner = inner_models();
+        std::vector<ModelPtr> inner = models_by_tables();
         if (count == 40) inner.resize(1);
         for (const ModelPtr& model : inner) {
             Setup setup = setup_of(model);
@@ -234,6 +131,7 @@ TEST_CASE("spectral: optical depth is that of the sun's light, and within that o
 TEST_CASE("spectral: every backend shows the same") {
     Backends backends;
     for (const ModelPtr& inner : inner_models()) {
+        if (inner->name() == "reference") continue;  // the ladder's test: where rounding turns a choice its paths are others
         const Setup setup = setup_of(models::spectral(inner, {spectrum::fitted(6)}));
         Trio<Rig> trio(backends, setup);
         trio.record_air();
@@ -252,7 +150,10 @@ TEST_CASE("spectral: every backend shows the same") {
 
 TEST_CASE("spectral: geometry through the air, with no number below 0") {
     const auto cpu = open_cpu_float(), vulkan = open_vulkan();
+    std::string_view last;
     for (const ModelPtr& inner : inner_models()) {
+        if (inner->name() == "reference" || inner->name() == last) continue;
+        last = inner->name();
         const ModelPtr model = models::spectral(inner, {spectrum::equal_bins(12)});
         Shown one(*cpu, model);
         std::optional<Shown> other;
@@ -280,7 +181,7 @@ TEST_CASE("spectral: changes and losses reach every triplet and the sums") {
         rig.record_air();
         (void)sky(rig, 5);
         rig.air.set_parameters(other);
-        CHECK(rig.record_air().dispatches > 0);
+        CHECK(rig.record_air().total() > 0);
         CHECK(rig.record_air().total() == 0);
 
         Setup setup = setup_of(model);
@@ -299,7 +200,8 @@ TEST_CASE("spectral: changes and losses reach every triplet and the sums") {
         setup.air = other;
         Rig third(*cpu, setup);
         third.record_air();
-        CHECK(sky(rig, 5) == sky(third, 5));
+        const Image expected = sky(third, 5);
+        CHECK(sky(rig, 5) == expected);
 
         DroppedList dropped;
         rig.air.invalidate();
@@ -308,27 +210,41 @@ TEST_CASE("spectral: changes and losses reach every triplet and the sums") {
         CHECK(dropped.dispatches > 0);
         rig.air.invalidate();
         rig.record_air();
-        CHECK(sky(rig, 5) == sky(third, 5));
+        CHECK(sky(rig, 5) == expected);
     }
 }
 
 TEST_CASE("spectral: an error on the way leaves nothing behind") {
     const auto cpu = open_cpu_float();
-    const ModelPtr model = models::spectral(models::aureole(small_quality()), {spectrum::fitted(4)});
     const std::uint64_t before = cpu->device().live();
-    for (std::uint64_t more = 0; more < 91; more += 6) {
-        cpu->device().fail_after(more);
-        CHECK_THROWS_AS(Rig(*cpu, setup_of(model)), Error);
-        CHECK(cpu->device().live() == before);
+    for (const ModelPtr& inner : inner_models()) {
+        const ModelPtr model = models::spectral(inner, {spectrum::fitted(4)});
+        std::uint64_t more = 0;
+        for (bool made = false; !made; more += 3) {
+            cpu->device().fail_after(more);
+            try {
+                Rig rig(*cpu, setup_of(model));
+                made = true;
+            } catch (const Error&) {
+            }
+            CHECK(cpu->device().live() == before);
+        }
+        CHECK(more > 20);
+        cpu->device().fail_after(std::nullopt);
     }
-    cpu->device().fail_after(std::nullopt);
 }
 
 TEST_CASE("spectral: recording allocates nothing") {
     const auto cpu = cpu::create_cpu_device({});
+    const CompositeTargets targets{.target = cpu->device().create_texture(
+                                       {"target", rhi::Dimension::d2, rhi::Format::rgba32_float, picture, rhi::Usage::storage}),
+                                   .extent = picture};
+    CompositeSettings composite;
+    composite.target_format = rhi::Format::rgba32_float;
     for (const ModelPtr& inner : inner_models()) {
-        Atmosphere air(cpu->device(), presets::earth(), models::spectral(inner, {spectrum::fitted(4)}));
-        View view(air, {}, {});
+        Atmosphere air(cpu->device(), presets::earth(), models::spectral(inner, {spectrum::equal_bins(9)}));
+        View view(air, {}, composite);
+        view.prepare_composite(targets);
         const Sun sun = sun_at(20);
         AtmosphereParameters parameters = presets::earth();
         for (int frame = 0; frame < 4; ++frame) {
@@ -339,15 +255,19 @@ TEST_CASE("spectral: recording allocates nothing") {
             recording::begin_counting_allocations();
             air.record(list);
             view.record(list);
+            view.record_composite(list, targets);
             const int allocations = recording::end_counting_allocations();
             cpu->queue().submit();
             cpu->queue().wait();
             if (frame > 1) CHECK(allocations == 0);  // the device's own list grows to its size in the first
-            CHECK(air.reports()[0].recorded);
-            CHECK(air.reports()[1].recorded);
-            CHECK(air.reports()[0].bytes_written > 0);
+            for (const PassReport& report : air.reports()) {
+                CHECK(report.recorded);
+                CHECK(report.bytes_written > 0);
+            }
+            CHECK(view.reports().back().recorded);
         }
     }
+    cpu->device().destroy(targets.target, 0);
 }
 
 TEST_CASE("spectral: passes of all triplets are told as one") {

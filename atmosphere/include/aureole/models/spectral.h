@@ -1,7 +1,9 @@
-// N wavelengths in place of red, green and blue, for models whose sky comes from tables: aureole, hillaire, bruneton.
+// N wavelengths in place of red, green and blue, for every model.
 //
-// The tables are made for every three wavelengths of a set, and added up into tables in linear Rec.709; composite and light
-// read those. So what N costs is in the tables; a picture costs what it costs in RGB. See models/spectral/spectral.md.
+// Where a model's sky comes from tables (aureole, bruneton, hillaire without a march), these are made for every three
+// wavelengths of a set, and added up into tables in linear Rec.709; composite and light read those, and cost what they cost in
+// RGB. Models that compute light for each pixel do so for every three wavelengths: composite and light run as often, and add
+// up. See models/spectral/spectral.md.
 //
 //     const auto set = spectrum::fitted(4);
 //     Atmosphere air(device, presets::earth(), models::spectral(models::aureole(), {.wavelengths = set}));
@@ -43,9 +45,8 @@ struct SpectralSettings {
 /// Throws Error(invalid_argument) at the first field outside its range.
 void validate(const SpectralSettings& settings);
 
-/// `inner` in these wavelengths, under its own name. Error(invalid_argument) if it is null, or a model that computes light for
-/// each pixel (fog, single, single-lut, reference; hillaire with a march in place of tables). One triplet with a diagonal
-/// matrix is shown from its own tables, as without this.
+/// `inner` in these wavelengths, under its own name. Error(invalid_argument) if it is null, or in wavelengths already. One
+/// triplet with a diagonal matrix is shown as it is, as without this.
 [[nodiscard]] ModelPtr spectral(const ModelPtr& inner, const SpectralSettings& settings = {});
 
 /// Settings by a word, for programs: "3", "4", "6": fitted; any other number in [3, 42]: equal bins; throws

@@ -63,4 +63,22 @@ std::string_view model_summary(std::string_view name) { return entry_of(name).su
 
 ModelPtr model_by_name(std::string_view name, std::string_view quality) { return entry_of(name).make(quality); }
 
+std::string models_by_tables() {
+    std::string result;
+    for (const Entry& entry : entries) {
+        std::string qualities;
+        bool all = true;
+        for (const std::string_view quality : quality_names()) {
+            if (entry.make(quality)->by_tables())
+                qualities.append(qualities.empty() ? "" : ", ").append(quality);
+            else
+                all = false;
+        }
+        if (qualities.empty()) continue;
+        result.append(result.empty() ? "" : ", ").append(entry.name);
+        if (!all) result.append(" (").append(qualities).append(")");
+    }
+    return result;
+}
+
 }  // namespace aureole

@@ -39,7 +39,8 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
         .add_option(
             "--spectral", options.spectral,
             "Colours, instead of the scene's: rgb, or a number of wavelengths (3, 4 and 6 are fitted, others evenly spread; "
-            "models aureole, bruneton and hillaire)")
+            "models " +
+                models_by_tables() + ")")
         ->check(wavelengths());
     command.footer("Models:\n" + list_models("  "));
 }

@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace aureole {
@@ -47,5 +48,8 @@ using ModelPtr = std::shared_ptr<const Model>;
 /// A model by its name, in one of quality_names(). Throws Error(invalid_argument) naming the field ("model" or "quality") and
 /// what it may be.
 [[nodiscard]] ModelPtr model_by_name(std::string_view name, std::string_view quality = "default");
+/// The models that models::spectral takes (Model::by_tables), for messages: "one, another (low, default)", with the
+/// qualities in parentheses where it is not all of them.
+[[nodiscard]] std::string models_by_tables();
 
 }  // namespace aureole

@@ -81,8 +81,7 @@ public:
         inner_->validate();
         if (!inner_->by_tables())
             reject("spectral.inner", std::string("\"").append(inner_->name()).append("\" as it is set"),
-                   "a model that shows tables: aureole, bruneton, or hillaire without a march for each pixel (qualities low "
-                   "and default)");
+                   "a model that shows tables, and marches for no pixel: " + models_by_tables());
         models::validate(settings_);
     }
     void require(const rhi::Device& device) const override { inner_->require(device); }

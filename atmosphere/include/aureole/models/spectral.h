@@ -1,4 +1,4 @@
-// N wavelengths in place of red, green and blue, for models whose sky comes from tables: aureole, hillaire, bruneton.
+// N wavelengths in place of red, green and blue, for models whose sky comes from tables (models_by_tables).
 //
 // The tables are made for every three wavelengths of a set, and added up into tables in linear Rec.709; composite and light
 // read those. So what N costs is in the tables; a picture costs what it costs in RGB. See models/spectral/spectral.md.
@@ -44,8 +44,8 @@ struct SpectralSettings {
 void validate(const SpectralSettings& settings);
 
 /// `inner` in these wavelengths, under its own name. Error(invalid_argument) if it is null, or a model that computes light for
-/// each pixel (fog, single, single-lut, reference; hillaire with a march in place of tables). One triplet with a diagonal
-/// matrix is shown from its own tables, as without this.
+/// each pixel, as it is set (Model::by_tables). One triplet with a diagonal matrix is shown from its own tables, as without
+/// this.
 [[nodiscard]] ModelPtr spectral(const ModelPtr& inner, const SpectralSettings& settings = {});
 
 /// Settings by a word, for programs: "3", "4", "6": fitted; any other number in [3, 42]: equal bins; throws

@@ -29,14 +29,15 @@ void check_sky_view(const std::string& field, const rhi::Extent& size) {
     if (size.height % 2 != 0) reject(field + ".height", std::to_string(size.height), "an even number in [4, 4096]");
 }
 
-void check_table_format(const char* field, rhi::Format format) {
+void check_table_format(const std::string& field, rhi::Format format) {
     if (format != rhi::Format::rgba16_float && format != rhi::Format::rgba32_float)
         reject(field, rhi::to_string(format), "rgba16_float or rgba32_float");
 }
 
-void reject_quality(std::string_view name) {
+void reject_quality(std::string_view name, std::string_view more) {
     std::string known;
     for (const std::string_view one : quality_names()) known.append(known.empty() ? "" : ", ").append(one);
+    if (!more.empty()) known.append(", ").append(more);
     // Appended piece by piece: with -O3, g++ 12 warns about an insertion at the front of a string (GCC bug 105651).
     reject("quality", std::string("\"").append(name).append("\""), "one of " + known);
 }

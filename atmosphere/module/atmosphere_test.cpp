@@ -145,7 +145,8 @@ TEST_CASE("atmosphere: refused settings and parameters leave nothing behind") {
     const auto cpu = open_cpu_float();
     QualitySettings quality = small_quality();
     quality.sky_view_nodes = 99;
-    CHECK(detail::rejected_field([&] { Atmosphere air(cpu->device(), presets::earth(), quality); }) == "sky_view_nodes");
+    CHECK(detail::rejected_field([&] { Atmosphere air(cpu->device(), presets::earth(), quality); }) ==
+          "aureole.sky_view_nodes");
     AtmosphereParameters bad = presets::earth();
     bad.terms[0].profile = ExponentialProfile{-1};
     CHECK(mentions(detail::rejected_field([&] { Atmosphere air(cpu->device(), bad, small_quality()); }), "scale_height_m"));

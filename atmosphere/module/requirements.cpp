@@ -55,7 +55,7 @@ void require_tables(const rhi::Device& device, const QualitySettings& quality) {
         std::max({quality.aerial_perspective.width, quality.aerial_perspective.height, quality.aerial_perspective.depth}));
 }
 
-void require_rows(const char* field, std::uint32_t height, std::uint32_t suns, std::uint32_t layers_per_sun,
+void require_rows(const std::string& field, std::uint32_t height, std::uint32_t suns, std::uint32_t layers_per_sun,
                   const char* limit_name, std::uint32_t limit) {
     const std::uint32_t layers = suns * layers_per_sun + 1;
     if (std::uint64_t{height} * layers <= limit) return;
@@ -64,12 +64,13 @@ void require_rows(const char* field, std::uint32_t height, std::uint32_t suns, s
                 std::to_string(layers) + " layers), or fewer suns");
 }
 
-void require_view(const rhi::Device& device, const ViewTableSizes& sizes, std::uint32_t suns, std::uint32_t layers_per_sun) {
+void require_view(const rhi::Device& device, std::string_view model, const ViewTableSizes& sizes, std::uint32_t suns,
+                  std::uint32_t layers_per_sun) {
     const rhi::Capabilities& capabilities = device.capabilities();
-    require_rows("sky_view.height", sizes.sky_view_height, suns, layers_per_sun, "device.max_texture_2d",
-                 capabilities.max_texture_2d);
-    require_rows("aerial_perspective.height", sizes.froxels_height, suns, layers_per_sun, "device.max_texture_3d",
-                 capabilities.max_texture_3d);
+    require_rows(std::string(model).append(".sky_view.height"), sizes.sky_view_height, suns, layers_per_sun,
+                 "device.max_texture_2d", capabilities.max_texture_2d);
+    require_rows(std::string(model).append(".aerial_perspective.height"), sizes.froxels_height, suns, layers_per_sun,
+                 "device.max_texture_3d", capabilities.max_texture_3d);
 }
 
 void require_target(const rhi::Device& device, const CompositeSettings& settings) {

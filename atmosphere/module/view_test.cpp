@@ -236,12 +236,14 @@ TEST_CASE("view: tables that the device cannot hold are refused by the setting t
     };
     CHECK(refused({.max_suns = 1}) == "nothing");
     CHECK(refused({.max_suns = 2}) ==
-          "sky_view.height: 1000 with view.max_suns 2; at most 819 (device.max_texture_2d 4096, shared by 5 layers), or fewer "
+          "aureole.sky_view.height: 1000 with view.max_suns 2; at most 819 (device.max_texture_2d 4096, shared by 5 layers), "
+          "or fewer "
           "suns");
     less.max_texture_2d = 16384;
     cpu->device().pretend(less);
     CHECK(refused({.max_suns = 2}) ==
-          "aerial_perspective.height: 64 with view.max_suns 2; at most 51 (device.max_texture_3d 256, shared by 5 layers), or "
+          "aureole.aerial_perspective.height: 64 with view.max_suns 2; at most 51 (device.max_texture_3d 256, shared by 5 "
+          "layers), or "
           "fewer suns");
     CHECK(refused({.max_suns = 2, .aerial_perspective = false}) == "nothing");
 
@@ -256,7 +258,7 @@ TEST_CASE("view: tables that the device cannot hold are refused by the setting t
         rig.air.set_parameters(more);
         CHECK_MESSAGE(false, "not refused");
     } catch (const Error& error) {
-        CHECK(error.field() == "aerial_perspective.height");
+        CHECK(error.field() == "aureole.aerial_perspective.height");
     }
     CHECK(rig.air.parameters() == setup.air);
     CHECK(cpu->device().live() == with_view);

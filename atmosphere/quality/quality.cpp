@@ -20,27 +20,27 @@ void check_nodes(const char* field, int count) { detail::check(field, count, 2, 
 void check_angular_order(const QualitySettings& s) {
     const int order = s.angular_order;
     if (order == 0 || order == 2 || order == 4 || order == 6 || order == 8) return;
-    detail::reject("angular_order", std::to_string(order), "0, 2, 4, 6 or 8");
+    detail::reject("aureole.angular_order", std::to_string(order), "0, 2, 4, 6 or 8");
 }
 
 }  // namespace
 
 void validate(const QualitySettings& s) {
-    detail::check_size_2d("transmittance", s.transmittance, 2, 4096);
-    check_nodes("transmittance_nodes", s.transmittance_nodes);
-    detail::check_size_2d("multi_scatter", s.multi_scatter, 2, 256);
+    detail::check_size_2d("aureole.transmittance", s.transmittance, 2, 4096);
+    check_nodes("aureole.transmittance_nodes", s.transmittance_nodes);
+    detail::check_size_2d("aureole.multi_scatter", s.multi_scatter, 2, 256);
     check_angular_order(s);
-    detail::check("multi_scatter_zenith", s.multi_scatter_zenith, 2, 16);
-    detail::check("multi_scatter_azimuth", s.multi_scatter_azimuth, 2, 32);
-    check_nodes("multi_scatter_nodes", s.multi_scatter_nodes);
-    check_nodes("multi_scatter_later_nodes", s.multi_scatter_later_nodes);
-    detail::check("multi_scatter_orders", s.multi_scatter_orders, 2, 64);  // the rest is extrapolated from the last two
-    detail::check_sky_view("sky_view", s.sky_view);
-    check_nodes("sky_view_nodes", s.sky_view_nodes);
-    detail::check_froxels("aerial_perspective", s.aerial_perspective);
-    detail::check("aerial_perspective_nodes", s.aerial_perspective_nodes, 1, 8);
-    detail::check_table_format("table_format", s.table_format);
-    detail::check_table_format("froxel_format", s.froxel_format);
+    detail::check("aureole.multi_scatter_zenith", s.multi_scatter_zenith, 2, 16);
+    detail::check("aureole.multi_scatter_azimuth", s.multi_scatter_azimuth, 2, 32);
+    check_nodes("aureole.multi_scatter_nodes", s.multi_scatter_nodes);
+    check_nodes("aureole.multi_scatter_later_nodes", s.multi_scatter_later_nodes);
+    detail::check("aureole.multi_scatter_orders", s.multi_scatter_orders, 2, 64);  // the rest is extrapolated from the last two
+    detail::check_sky_view("aureole.sky_view", s.sky_view);
+    check_nodes("aureole.sky_view_nodes", s.sky_view_nodes);
+    detail::check_froxels("aureole.aerial_perspective", s.aerial_perspective);
+    detail::check("aureole.aerial_perspective_nodes", s.aerial_perspective_nodes, 1, 8);
+    detail::check_table_format("aureole.table_format", s.table_format);
+    detail::check_table_format("aureole.froxel_format", s.froxel_format);
 }
 
 std::span<const std::string_view> quality_names() {

@@ -21,32 +21,32 @@ std::vector<Field> sizes() {
     using Q = QualitySettings;
     const auto u = [](int v) { return static_cast<std::uint32_t>(v); };
     return {
-        {"transmittance.width", [u](Q& q, int v) { q.transmittance.width = u(v); }, 2, 4096},
-        {"transmittance.height", [u](Q& q, int v) { q.transmittance.height = u(v); }, 2, 4096},
-        {"transmittance.depth", [u](Q& q, int v) { q.transmittance.depth = u(v); }, 1, 1},
-        {"multi_scatter.width", [u](Q& q, int v) { q.multi_scatter.width = u(v); }, 2, 256},
-        {"multi_scatter.height", [u](Q& q, int v) { q.multi_scatter.height = u(v); }, 2, 256},
-        {"multi_scatter.depth", [u](Q& q, int v) { q.multi_scatter.depth = u(v); }, 1, 1},
-        {"multi_scatter_zenith", [](Q& q, int v) { q.multi_scatter_zenith = v; }, 2, 16},
-        {"multi_scatter_azimuth", [](Q& q, int v) { q.multi_scatter_azimuth = v; }, 2, 32},
-        {"multi_scatter_orders", [](Q& q, int v) { q.multi_scatter_orders = v; }, 2, 64},
-        {"sky_view.width", [u](Q& q, int v) { q.sky_view.width = u(v); }, 4, 4096},
-        {"sky_view.height", [u](Q& q, int v) { q.sky_view.height = u(v); }, 4, 4096},
-        {"sky_view.depth", [u](Q& q, int v) { q.sky_view.depth = u(v); }, 1, 1},
-        {"aerial_perspective.width", [u](Q& q, int v) { q.aerial_perspective.width = u(v); }, 2, 256},
-        {"aerial_perspective.height", [u](Q& q, int v) { q.aerial_perspective.height = u(v); }, 2, 256},
-        {"aerial_perspective.depth", [u](Q& q, int v) { q.aerial_perspective.depth = u(v); }, 2, 256},
-        {"aerial_perspective_nodes", [](Q& q, int v) { q.aerial_perspective_nodes = v; }, 1, 8},
+        {"aureole.transmittance.width", [u](Q& q, int v) { q.transmittance.width = u(v); }, 2, 4096},
+        {"aureole.transmittance.height", [u](Q& q, int v) { q.transmittance.height = u(v); }, 2, 4096},
+        {"aureole.transmittance.depth", [u](Q& q, int v) { q.transmittance.depth = u(v); }, 1, 1},
+        {"aureole.multi_scatter.width", [u](Q& q, int v) { q.multi_scatter.width = u(v); }, 2, 256},
+        {"aureole.multi_scatter.height", [u](Q& q, int v) { q.multi_scatter.height = u(v); }, 2, 256},
+        {"aureole.multi_scatter.depth", [u](Q& q, int v) { q.multi_scatter.depth = u(v); }, 1, 1},
+        {"aureole.multi_scatter_zenith", [](Q& q, int v) { q.multi_scatter_zenith = v; }, 2, 16},
+        {"aureole.multi_scatter_azimuth", [](Q& q, int v) { q.multi_scatter_azimuth = v; }, 2, 32},
+        {"aureole.multi_scatter_orders", [](Q& q, int v) { q.multi_scatter_orders = v; }, 2, 64},
+        {"aureole.sky_view.width", [u](Q& q, int v) { q.sky_view.width = u(v); }, 4, 4096},
+        {"aureole.sky_view.height", [u](Q& q, int v) { q.sky_view.height = u(v); }, 4, 4096},
+        {"aureole.sky_view.depth", [u](Q& q, int v) { q.sky_view.depth = u(v); }, 1, 1},
+        {"aureole.aerial_perspective.width", [u](Q& q, int v) { q.aerial_perspective.width = u(v); }, 2, 256},
+        {"aureole.aerial_perspective.height", [u](Q& q, int v) { q.aerial_perspective.height = u(v); }, 2, 256},
+        {"aureole.aerial_perspective.depth", [u](Q& q, int v) { q.aerial_perspective.depth = u(v); }, 2, 256},
+        {"aureole.aerial_perspective_nodes", [](Q& q, int v) { q.aerial_perspective_nodes = v; }, 1, 8},
     };
 }
 
 std::vector<Field> samples() {
     using Q = QualitySettings;
     constexpr int low = 2, high = 16;
-    return {{"transmittance_nodes", [](Q& q, int v) { q.transmittance_nodes = v; }, low, high},
-            {"multi_scatter_nodes", [](Q& q, int v) { q.multi_scatter_nodes = v; }, low, high},
-            {"multi_scatter_later_nodes", [](Q& q, int v) { q.multi_scatter_later_nodes = v; }, low, high},
-            {"sky_view_nodes", [](Q& q, int v) { q.sky_view_nodes = v; }, low, high}};
+    return {{"aureole.transmittance_nodes", [](Q& q, int v) { q.transmittance_nodes = v; }, low, high},
+            {"aureole.multi_scatter_nodes", [](Q& q, int v) { q.multi_scatter_nodes = v; }, low, high},
+            {"aureole.multi_scatter_later_nodes", [](Q& q, int v) { q.multi_scatter_later_nodes = v; }, low, high},
+            {"aureole.sky_view_nodes", [](Q& q, int v) { q.sky_view_nodes = v; }, low, high}};
 }
 
 void check_range(const std::vector<Field>& fields) {
@@ -90,13 +90,13 @@ TEST_CASE("quality: every choice") {
         return rejected_field([&] { validate(q); });
     };
     for (const std::uint32_t odd : {5u, 191u, 4095u})
-        CHECK(rejected([&](auto& q) { q.sky_view.height = odd; }) == "sky_view.height");
+        CHECK(rejected([&](auto& q) { q.sky_view.height = odd; }) == "aureole.sky_view.height");
     for (const int order : {-1, 1, 3, 5, 7, 9, 16})
-        CHECK(rejected([&](auto& q) { q.angular_order = order; }) == "angular_order");
+        CHECK(rejected([&](auto& q) { q.angular_order = order; }) == "aureole.angular_order");
     for (const int order : {0, 2, 4, 6, 8}) CHECK(rejected([&](auto& q) { q.angular_order = order; }) == "nothing");
     for (const rhi::Format format : {rhi::Format::undefined, rhi::Format::r32_float, rhi::Format::rgba8_unorm}) {
-        CHECK(rejected([&](auto& q) { q.table_format = format; }) == "table_format");
-        CHECK(rejected([&](auto& q) { q.froxel_format = format; }) == "froxel_format");
+        CHECK(rejected([&](auto& q) { q.table_format = format; }) == "aureole.table_format");
+        CHECK(rejected([&](auto& q) { q.froxel_format = format; }) == "aureole.froxel_format");
     }
     for (const rhi::Format format : {rhi::Format::rgba16_float, rhi::Format::rgba32_float}) {
         CHECK(rejected([&](auto& q) { q.table_format = format; }) == "nothing");

@@ -63,6 +63,25 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("aureole: the error in haze and dust falls with the angular order") {
+    for (const Air& air : airs()) {
+        if (air.file == std::string("earth.csv")) continue;  // needs no more than 2
+        std::map<double, Errors> lower;
+        for (const int order : {0, 2, 4, 8}) {
+            QualitySettings quality = QualitySettings::high();
+            quality.angular_order = order;
+            auto errors = shown(air, ("aureole, high, L = " + std::to_string(order)).c_str(), models::aureole(quality));
+            for (auto& [zenith, e] : lower) {
+                CAPTURE(air.file);
+                CAPTURE(zenith);
+                CAPTURE(order);
+                CHECK(errors.at(zenith).quantile(0.5) < 0.8 * e.quantile(0.5));
+            }
+            lower = errors;
+        }
+    }
+}
+
 TEST_CASE("low quality of aureole: no worse than hillaire for phones, at every sun of every table") {
     for (const Air& air : airs()) {
         auto hillaire = shown(air, "hillaire, low", models::hillaire(models::HillaireSettings::low()));

@@ -34,18 +34,20 @@ namespace aureole {
 
 /// What one pass did in the latest recording: for benchmarks and for hosts that show their costs.
 struct PassReport {
-    std::string_view name{};  ///< "transmittance", "multi_scatter", "sky_view", "aerial_perspective", "light", "composite",
-                              ///< "shadows" where a view has them, before "light";
-                              ///< of other models what their pages name.
-    bool recorded = false;    ///< False when nothing that it depends on had changed; then the rest is of an earlier one.
-    std::uint64_t invocations = 0;    ///< Shader invocations, those beyond the edges of tables left out.
+    /// The model's own passes first (of `aureole`: "transmittance", "multi_scatter"; of a view "sky_view",
+    /// "aerial_perspective"; of others what their pages name, or none). Then, of every model's views: "shadows" where a view
+    /// has them, "light" (never recorded without ViewSettings::light), "composite".
+    std::string_view name{};
+    bool recorded = false;          ///< False when nothing that it depends on had changed; then the rest is of an earlier one.
+    std::uint64_t invocations = 0;  ///< Shader invocations, those beyond the edges of tables left out.
     std::uint64_t bytes_written = 0;  ///< To tables and targets, by their formats.
 };
 
 /// Optional timestamps: pass i of reports() that is recorded writes slots first + 2 i, before it, and first + 2 i + 1, after
-/// it. Atmosphere::record takes 4 slots from `first` on, View::record 6 (8 with shadows). View::record_composite writes as pass
-/// 3, so given the same `first` as View::record it goes on from there: 8 for both. A slot of Capabilities::timestamp_slots or
-/// beyond is not written, and the device's message callback says so.
+/// it. So Atmosphere::record takes 2 * reports().size() slots from `first` on, and so do View::record and
+/// View::record_composite together, given the same `first`: the composite is the last pass of a view's reports. How many that
+/// are depends on the model and on ViewSettings. A slot of Capabilities::timestamp_slots or beyond is not written, and the
+/// device's message callback says so.
 struct TimestampSlots {
     bool enabled = false;     ///< False: none are written.
     std::uint32_t first = 0;  ///< In [0, Capabilities::timestamp_slots - number of slots].
@@ -79,7 +81,7 @@ public:
     /// less than two solutions' frames old. Solved at once all the same: the first solution, one after a change of the planet's
     /// radii or of the structure, and that of a model without orders to solve (hillaire). n > 0 keeps a copy of what a solution
     /// reads: memory of one more transmittance table, and of the tabulated profiles (table_bytes).
-    /// `first_too`: a model that takes seconds (bruneton) spreads its first solution as well; until progress() is 1 views have
+    /// `first_too`: a model whose solution takes seconds spreads its first one as well; until progress() is 1 views have
     /// nothing to show.
     void set_multi_scatter_passes_per_frame(int passes, bool first_too = false);
 
@@ -93,21 +95,25 @@ public:
     /// submitted may still be running. Allocates nothing.
     void invalidate() noexcept;
 
-    /// Records transmittance and multi-scatter if the air has changed. Tables are left in State::sampled. `commands` belongs to
-    /// the device of the constructor, outside of a render pass, and is executed before whatever reads the tables; if it never
-    /// is, call invalidate().
+    /// Records the model's tables of the air, if it keeps any and the air has changed. They are left in State::sampled.
+    /// `commands` belongs to the device of the constructor, outside of a render pass, and is executed before whatever reads the
+    /// tables; if it never is, call invalidate().
     void record(rhi::CommandList& commands, TimestampSlots timestamps = {});
-    /// Of the latest record(): transmittance, multi_scatter.
+    /// Of the latest record(): the model's passes over the air, as PassReport::name has them; empty for a model without any.
     [[nodiscard]] std::span<const PassReport> reports() const noexcept;
 
     /// Share of the tables for the air as it is that has been recorded, in [0, 1]; below 1 only where a model spreads its work
-    /// over frames (models::BrunetonSettings::slices_per_frame), and before that has begun.
+    /// over frames (by its own settings, or first_too above), and before that has begun.
     [[nodiscard]] double progress() const noexcept;
 
     [[nodiscard]] rhi::Device& device() const noexcept;
-    [[nodiscard]] rhi::Texture transmittance_table() const noexcept;  ///< Optical depth to the top: see transmittance.glsl.
-    [[nodiscard]] rhi::Texture multi_scatter_table() const noexcept;  ///< Moments: see multi_scatter.glsl.
-    [[nodiscard]] std::uint64_t table_bytes() const noexcept;         ///< Device memory of the tables, those at work included.
+    // Null of a model that keeps no such table (its page says which it keeps).
+    /// Optical depth to the top: see transmittance.glsl.
+    [[nodiscard]] rhi::Texture transmittance_table() const noexcept;
+    /// Of `aureole` moments (multi_scatter.glsl), of `hillaire` its isotropic source. Null in N wavelengths
+    /// (models/spectral.h).
+    [[nodiscard]] rhi::Texture multi_scatter_table() const noexcept;
+    [[nodiscard]] std::uint64_t table_bytes() const noexcept;  ///< Device memory of the tables, those at work included.
 
     struct Impl;
     [[nodiscard]] Impl& impl() const noexcept { return *impl_; }
@@ -127,9 +133,10 @@ struct ViewSettings {
     /// Of every camera that the view is given: kernels are made for it.
     Projection projection = Projection::matrix;
     /// Rows and layers of suns in the view's tables: the most suns that update takes. In [1, 4]; tables grow with it, and where
-    /// the device cannot hold them Error(unsupported) names sky_view.height or aerial_perspective.height of QualitySettings.
+    /// the device cannot hold them Error(unsupported) names the model's sky_view.height, aerial_perspective.height or
+    /// dome.size.height.
     std::uint32_t max_suns = 1;
-    bool aerial_perspective = true;  ///< False: no froxels; the composite leaves geometry as it is.
+    bool aerial_perspective = true;  ///< False: the composite leaves geometry as it is, and there are no froxels.
     /// Depth of the last slice of froxels, metres; geometry beyond it gets the air up to there. In [1e-3, 1e13].
     double aerial_perspective_distance_m = 96000;
     ShadowSettings shadows{};  ///< Shadows in the air (shadows.h). Off by default.
@@ -195,10 +202,10 @@ public:
     /// and changes nothing if a value is rejected. The texture must live as long as it is set: null ends its use.
     void set_shadow_map(const ShadowMap& map);
 
-    /// Records of sky-view, aerial perspective and light those that follow from what has changed in camera, suns and air:
-    /// turning the camera makes new froxels alone, a new exposure or nothing makes none. After update() and
-    /// Atmosphere::record; earlier, nothing is recorded and the log says so. As there, a list that is never executed calls for
-    /// invalidate().
+    /// Records of the model's tables of the camera (none, for some models), shadows and light those that follow from what has
+    /// changed in camera, suns and air: turning the camera makes new froxels alone, a new exposure or nothing makes none. After
+    /// update() and Atmosphere::record; earlier, nothing is recorded and the log says so. As there, a list that is never
+    /// executed calls for invalidate().
     void record(rhi::CommandList& commands, TimestampSlots timestamps = {});
     /// The view's tables are lost, as by Atmosphere::invalidate, which does this for all views: for a list of which only this
     /// view's recording was dropped. The next record() records everything anew. Allocates nothing.
@@ -213,10 +220,12 @@ public:
     /// Records the composite. `targets` must have been prepared, and the tables recorded since the air's structure changed;
     /// else nothing is recorded, and the log says so.
     void record_composite(rhi::CommandList& commands, const CompositeTargets& targets, TimestampSlots timestamps = {});
-    /// Of the latest record(): sky_view, aerial_perspective, light; of the latest record_composite(): composite.
+    /// Of the latest record(): the model's passes, shadows, light (PassReport::name); of the latest record_composite(), the
+    /// last: composite.
     [[nodiscard]] std::span<const PassReport> reports() const noexcept;
 
     // Tables stay the same textures until the structure of the air changes (set_parameters).
+    // Null of a model, or settings of it, that keep no such table: all but `aureole` and the tables of `hillaire`, so far.
     [[nodiscard]] rhi::Texture sky_view_table() const noexcept;            ///< See sky_view.glsl.
     [[nodiscard]] rhi::Texture aerial_perspective_table() const noexcept;  ///< See aerial_perspective.glsl.
     /// Of a model in which frames add up (models/reference.h, if it is asked for a film; not in N wavelengths); else null.
@@ -228,8 +237,9 @@ public:
     [[nodiscard]] rhi::Texture light_table() const noexcept;
     [[nodiscard]] std::uint64_t table_bytes() const noexcept;  ///< Device memory of the tables.
 
-    /// For a host's own shaders that include <aureole/glsl/aureole.glsl>: "#define AUREOLE_SPEC_<id> <value>" lines that go
-    /// before it, and what to bind beside the tables. Valid until the structure of the air changes (set_parameters).
+    /// For a host's own shaders that include <aureole/glsl/aureole.glsl> (its page says of which models): "#define
+    /// AUREOLE_SPEC_<id> <value>" lines that go before it, and what to bind beside the tables. Valid until the structure of the
+    /// air changes (set_parameters).
     [[nodiscard]] std::string shader_defines() const;
     [[nodiscard]] rhi::Buffer air_block() const noexcept;       ///< Uniform block, State::constants after the first record.
     [[nodiscard]] rhi::Buffer view_block() const noexcept;      ///< Uniform block, State::constants after the first record.

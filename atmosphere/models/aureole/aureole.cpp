@@ -52,7 +52,7 @@ TableViewResources checked(const ViewResources& shared, const ViewSettings& sett
     const QualitySettings& quality = shared.air.quality;
     const std::uint32_t layers = layers_with_sharp_phases(shared.air.air);
     const ViewTableSizes sizes{quality.sky_view.height, settings.aerial_perspective ? quality.aerial_perspective.height : 0};
-    require_view(shared.objects.device(), sizes, shared.suns, layers);
+    require_view(shared.objects.device(), "aureole", sizes, shared.suns, layers);
     return {shared, transmittance, multi_scatter, layers, {}};
 }
 

@@ -1,4 +1,5 @@
 #include "common/check.h"
+#include "common/check_table.h"
 
 #include <aureole/models/bruneton.h>
 
@@ -9,35 +10,29 @@ namespace {
 
 using detail::check;
 
-void check_table(const std::string& field, const rhi::Extent& size, double most) {
-    check(field + ".width", size.width, 2, most);
-    check(field + ".height", size.height, 2, most);
-    check(field + ".depth", size.depth, 1, 1);
-}
-
 }  // namespace
 
 void validate(const BrunetonSettings& s) {
-    check_table("transmittance", s.transmittance, 4096);
-    check_table("irradiance", s.irradiance, 1024);
-    check("altitude_nodes", s.altitude_nodes, 2, 256);
-    check("view_nodes", s.view_nodes, 4, 512);
-    if (s.view_nodes % 2 != 0) detail::reject("view_nodes", std::to_string(s.view_nodes), "an even number in [4, 512]");
-    check("sun_nodes", s.sun_nodes, 2, 256);
-    check("nu_nodes", s.nu_nodes, 2, 64);
+    detail::check_size_2d("bruneton.transmittance", s.transmittance, 2, 4096);
+    detail::check_size_2d("bruneton.irradiance", s.irradiance, 2, 1024);
+    check("bruneton.altitude_nodes", s.altitude_nodes, 2, 256);
+    check("bruneton.view_nodes", s.view_nodes, 4, 512);
+    if (s.view_nodes % 2 != 0)
+        detail::reject("bruneton.view_nodes", std::to_string(s.view_nodes), "an even number in [4, 512]");
+    check("bruneton.sun_nodes", s.sun_nodes, 2, 256);
+    check("bruneton.nu_nodes", s.nu_nodes, 2, 64);
     if (s.nu_nodes * s.sun_nodes > 2048)
-        detail::reject("nu_nodes", std::to_string(s.nu_nodes),
+        detail::reject("bruneton.nu_nodes", std::to_string(s.nu_nodes),
                        "at most 2048 / sun_nodes (" + std::to_string(s.sun_nodes) + ")");
-    check("orders", s.orders, 1, 64);
-    if (s.format != rhi::Format::rgba16_float && s.format != rhi::Format::rgba32_float)
-        detail::reject("format", rhi::to_string(s.format), "rgba16_float or rgba32_float");
-    detail::check_enum("sampling", s.sampling, BrunetonSampling::published, "gauss or published");
-    check("transmittance_nodes", s.transmittance_nodes, 2, 16);
-    check("ray_nodes", s.ray_nodes, 2, 16);
-    check("zenith_nodes", s.zenith_nodes, 2, 16);
-    check("azimuth_nodes", s.azimuth_nodes, 2, 16);
-    check("lowest_sun_deg", s.lowest_sun_deg, 91, 120);
-    check("slices_per_frame", s.slices_per_frame, 0, 1000000);
+    check("bruneton.orders", s.orders, 1, 64);
+    detail::check_table_format("bruneton.format", s.format);
+    detail::check_enum("bruneton.sampling", s.sampling, BrunetonSampling::published, "gauss or published");
+    check("bruneton.transmittance_nodes", s.transmittance_nodes, 2, 16);
+    check("bruneton.ray_nodes", s.ray_nodes, 2, 16);
+    check("bruneton.zenith_nodes", s.zenith_nodes, 2, 16);
+    check("bruneton.azimuth_nodes", s.azimuth_nodes, 2, 16);
+    check("bruneton.lowest_sun_deg", s.lowest_sun_deg, 91, 120);
+    check("bruneton.slices_per_frame", s.slices_per_frame, 0, 1000000);
 }
 
 BrunetonSettings BrunetonSettings::low() {
@@ -77,7 +72,7 @@ BrunetonSettings BrunetonSettings::by_name(std::string_view name) {
     if (name == "default") return standard();
     if (name == "high") return high();
     if (name == "published") return published();
-    detail::reject("quality", "\"" + std::string(name) + "\"", "low, default, high or published");
+    detail::reject_quality(name, "published");
 }
 
 }  // namespace aureole::models

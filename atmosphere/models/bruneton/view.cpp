@@ -24,7 +24,7 @@ BrunetonView::BrunetonView(ViewResources& shared, const ViewSettings& settings, 
     Objects& objects = shared.objects;
     const std::uint32_t layers = layers_with_sharp_phases(shared.air.air);
     const auto rows = static_cast<std::uint32_t>(model.view_nodes), nus = static_cast<std::uint32_t>(model.nu_nodes);
-    require_rows("view_nodes", rows, shared.suns, layers, "device.max_texture_2d",
+    require_rows("bruneton.view_nodes", rows, shared.suns, layers, "device.max_texture_2d",
                  objects.device().capabilities().max_texture_2d);
     const rhi::Format format = small_table_format(objects.device());
     constexpr rhi::Usage usage = rhi::Usage::sampled | rhi::Usage::storage;

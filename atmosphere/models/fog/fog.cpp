@@ -1,5 +1,6 @@
 // Fog keeps no tables: only the nodes of its one quadrature.
 #include "common/check.h"
+#include "common/check_table.h"
 #include "models/model.h"
 #include "quadrature/gauss_legendre.h"
 
@@ -105,7 +106,7 @@ FogSettings FogSettings::by_name(std::string_view quality) {
     } else if (quality == "high") {
         settings.transmittance_nodes = 16;
     } else {
-        detail::reject("quality", std::string("\"").append(quality).append("\""), "low, default or high");
+        detail::reject_quality(quality);
     }
     return settings;
 }

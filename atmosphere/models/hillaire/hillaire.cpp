@@ -80,7 +80,7 @@ bool HillaireAir::record(rhi::CommandList& commands, const AtmosphereBlock&, std
 std::unique_ptr<ModelView> HillaireAir::make_view(ViewResources& shared, const ViewSettings& settings) {
     const ViewTableSizes sizes{has_sky_view(settings_, settings) ? settings_.sky_view.height : 0,
                                has_froxels(settings_, settings) ? settings_.aerial_perspective.height : 0};
-    require_view(shared.objects.device(), sizes, shared.suns, 1);
+    require_view(shared.objects.device(), "hillaire", sizes, shared.suns, 1);
     // All phase functions are applied in the tables (5: none is kept apart), whose azimuth axis is sin(azimuth / 2) (7).
     const TableViewResources tables{shared,
                                     transmittance_.table(),

@@ -226,16 +226,16 @@ TEST_CASE("hillaire: the published setting, and the phone's") {
 TEST_CASE("hillaire: settings out of range are named") {
     using S = models::HillaireSettings;
     const std::pair<const char*, std::function<void(S&)>> faults[] = {
-        {"transmittance.width", [](S& s) { s.transmittance.width = 1; }},
-        {"transmittance_steps", [](S& s) { s.transmittance_steps = 0; }},
-        {"multi_scatter.height", [](S& s) { s.multi_scatter.height = 257; }},
-        {"multi_scatter_steps", [](S& s) { s.multi_scatter_steps = 257; }},
-        {"sky_view.height", [](S& s) { s.sky_view.height = 51; }},
-        {"sky_view_steps", [](S& s) { s.sky_view_steps = -1; }},
-        {"aerial_perspective.depth", [](S& s) { s.aerial_perspective.depth = 1; }},
-        {"march_steps", [](S& s) { s.march_steps = 300; }},
-        {"table_format", [](S& s) { s.table_format = rhi::Format::rgba8_unorm; }},
-        {"froxel_format", [](S& s) { s.froxel_format = rhi::Format::undefined; }}};
+        {"hillaire.transmittance.width", [](S& s) { s.transmittance.width = 1; }},
+        {"hillaire.transmittance_steps", [](S& s) { s.transmittance_steps = 0; }},
+        {"hillaire.multi_scatter.height", [](S& s) { s.multi_scatter.height = 257; }},
+        {"hillaire.multi_scatter_steps", [](S& s) { s.multi_scatter_steps = 257; }},
+        {"hillaire.sky_view.height", [](S& s) { s.sky_view.height = 51; }},
+        {"hillaire.sky_view_steps", [](S& s) { s.sky_view_steps = -1; }},
+        {"hillaire.aerial_perspective.depth", [](S& s) { s.aerial_perspective.depth = 1; }},
+        {"hillaire.march_steps", [](S& s) { s.march_steps = 300; }},
+        {"hillaire.table_format", [](S& s) { s.table_format = rhi::Format::rgba8_unorm; }},
+        {"hillaire.froxel_format", [](S& s) { s.froxel_format = rhi::Format::undefined; }}};
     for (const auto& [field, spoil] : faults) {
         S settings;
         spoil(settings);

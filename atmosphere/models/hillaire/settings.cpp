@@ -7,16 +7,16 @@ namespace aureole::models {
 
 void validate(const HillaireSettings& s) {
     constexpr double most_steps = 256;
-    detail::check_size_2d("transmittance", s.transmittance, 2, 4096);
-    detail::check("transmittance_steps", s.transmittance_steps, 1, most_steps);
-    detail::check_size_2d("multi_scatter", s.multi_scatter, 2, 256);
-    detail::check("multi_scatter_steps", s.multi_scatter_steps, 1, most_steps);
-    detail::check_sky_view("sky_view", s.sky_view);
-    detail::check("sky_view_steps", s.sky_view_steps, 1, most_steps);
-    detail::check_froxels("aerial_perspective", s.aerial_perspective);
-    detail::check("march_steps", s.march_steps, 1, most_steps);
-    detail::check_table_format("table_format", s.table_format);
-    detail::check_table_format("froxel_format", s.froxel_format);
+    detail::check_size_2d("hillaire.transmittance", s.transmittance, 2, 4096);
+    detail::check("hillaire.transmittance_steps", s.transmittance_steps, 1, most_steps);
+    detail::check_size_2d("hillaire.multi_scatter", s.multi_scatter, 2, 256);
+    detail::check("hillaire.multi_scatter_steps", s.multi_scatter_steps, 1, most_steps);
+    detail::check_sky_view("hillaire.sky_view", s.sky_view);
+    detail::check("hillaire.sky_view_steps", s.sky_view_steps, 1, most_steps);
+    detail::check_froxels("hillaire.aerial_perspective", s.aerial_perspective);
+    detail::check("hillaire.march_steps", s.march_steps, 1, most_steps);
+    detail::check_table_format("hillaire.table_format", s.table_format);
+    detail::check_table_format("hillaire.froxel_format", s.froxel_format);
 }
 
 HillaireSettings HillaireSettings::standard() { return {}; }

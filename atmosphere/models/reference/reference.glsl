@@ -33,7 +33,7 @@ SPEC_INT(31, SEED, 0)
 
 #include "common/constants.glsl"
 #include "common/geometry.glsl"
-#include "common/random.glsl"
+#include "models/reference/random.glsl"
 #include "common/view_ray.glsl"
 #include "medium/medium.glsl"
 #include "phase/phase.glsl"

@@ -1,4 +1,5 @@
 #include "common/check.h"
+#include "common/check_table.h"
 
 #include <aureole/models/reference.h>
 
@@ -17,20 +18,20 @@ constexpr std::size_t layers = 3;  // of the film
 
 void ReferenceSettings::validate() const {
     const ReferenceSettings& s = *this;
-    detail::check_enum("show", s.show, ReferenceSettings::Show::standard_error, "radiance or standard_error");
-    check("paths_per_frame", s.paths_per_frame, 0, 65536);
-    check("max_paths", s.max_paths, 1, 1 << 24);
+    detail::check_enum("reference.show", s.show, ReferenceSettings::Show::standard_error, "radiance or standard_error");
+    check("reference.paths_per_frame", s.paths_per_frame, 0, 65536);
+    check("reference.max_paths", s.max_paths, 1, 1 << 24);
     const bool none = s.film_width == 0 && s.film_height == 0;
-    if (!none) check("film_width", s.film_width, 1, 16384);
-    if (!none) check("film_height", s.film_height, 1, 16384);
-    check("max_order", s.max_order, 0, 4096);
+    if (!none) check("reference.film_width", s.film_width, 1, 16384);
+    if (!none) check("reference.film_height", s.film_height, 1, 16384);
+    check("reference.max_order", s.max_order, 0, 4096);
     const int parts = s.first_order_parts;
     if (parts != 1 && parts != 2 && parts != 4 && parts != 8 && parts != 16)
-        reject("first_order_parts", std::to_string(parts), "1, 2, 4, 8 or 16");
-    check("nodes", s.nodes, 4, 16);
-    check("roulette_order", s.roulette_order, 1, 4096);
-    check("seed", s.seed, 0, (1 << 24) - 1);
-    check("light_paths", s.light_paths, 0, 4096);
+        reject("reference.first_order_parts", std::to_string(parts), "1, 2, 4, 8 or 16");
+    check("reference.nodes", s.nodes, 4, 16);
+    check("reference.roulette_order", s.roulette_order, 1, 4096);
+    check("reference.seed", s.seed, 0, (1 << 24) - 1);
+    check("reference.light_paths", s.light_paths, 0, 4096);
 }
 
 ReferenceSettings ReferenceSettings::by_name(std::string_view quality) {
@@ -40,7 +41,7 @@ ReferenceSettings ReferenceSettings::by_name(std::string_view quality) {
     else if (quality == "high")
         settings.paths_per_frame = 64;
     else if (quality != "default")
-        reject("quality", "\"" + std::string(quality) + "\"", "one of low, default, high");
+        detail::reject_quality(quality);
     return settings;
 }
 

@@ -6,10 +6,10 @@
 namespace aureole::detail {
 namespace {
 
-rhi::TextureDesc table_desc(const ViewResources& shared, const models::Dome& dome) {
+rhi::TextureDesc table_desc(const ViewResources& shared, const std::string& field, const models::Dome& dome) {
     const bool sharp = dome.phase == models::Dome::Phase::at_look_up;
     const std::uint32_t layers = sharp ? layers_with_sharp_phases(shared.air.air) : 1;
-    require_rows("dome.size.height", dome.size.height, shared.suns, layers, "device.max_texture_2d",
+    require_rows(field + ".size.height", dome.size.height, shared.suns, layers, "device.max_texture_2d",
                  shared.objects.device().capabilities().max_texture_2d);
     return {"dome",
             rhi::Dimension::d2,
@@ -20,11 +20,11 @@ rhi::TextureDesc table_desc(const ViewResources& shared, const models::Dome& dom
 
 }  // namespace
 
-DomePass::DomePass(ViewResources& shared, const models::Dome& dome, const rhi::Shader& kernel,
+DomePass::DomePass(ViewResources& shared, const std::string& field, const models::Dome& dome, const rhi::Shader& kernel,
                    std::span<const rhi::Binding> bindings, std::span<const rhi::Specialization> specialization)
     : shader_(&kernel),
       invocations_{dome.size.width, dome.size.height * shared.suns, 1},
-      table_(shared.objects.texture(table_desc(shared, dome))) {
+      table_(shared.objects.texture(table_desc(shared, field, dome))) {
     Specialize values = shared.specialize();
     for (const rhi::Specialization& value : specialization) values.set(value);
     pipeline_ = shared.objects.compute(kernel, values.values());

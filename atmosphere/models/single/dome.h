@@ -9,9 +9,9 @@ namespace aureole::detail {
 
 class DomePass {
 public:
-    /// `kernel` takes those of `bindings` that it has slots for.
-    DomePass(ViewResources& shared, const models::Dome& dome, const rhi::Shader& kernel, std::span<const rhi::Binding> bindings,
-             std::span<const rhi::Specialization> specialization);
+    /// `field`: the dome's name in errors. `kernel` takes those of `bindings` that it has slots for.
+    DomePass(ViewResources& shared, const std::string& field, const models::Dome& dome, const rhi::Shader& kernel,
+             std::span<const rhi::Binding> bindings, std::span<const rhi::Specialization> specialization);
 
     void record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
     void invalidate() noexcept { forget(table_); }

@@ -1,6 +1,7 @@
 #include "models/single/single.h"
 
 #include "common/check.h"
+#include "common/check_table.h"
 #include "module/requirements.h"
 #include "quadrature/gauss_legendre.h"
 #include "sky_view/sky_view.h"
@@ -43,7 +44,8 @@ public:
         kernels_.specialization = specialization(setup.settings);
         kernels_.aerial_perspective = aerial_perspective;
         if (setup.settings.dome.used())
-            dome_.emplace(shared, setup.settings.dome, *setup.kernels.dome, bindings, kernels_.specialization);
+            dome_.emplace(shared, std::string(setup.prefix).append(".dome"), setup.settings.dome, *setup.kernels.dome, bindings,
+                          kernels_.specialization);
         // Without a dome its slot still needs a readable texture.
         const rhi::Texture table = dome_ ? dome_->table().handle : shared.air.profile_table.handle;
         bindings.push_back({2, table, dome_ ? shared.air.linear : shared.air.nearest, {}});
@@ -86,7 +88,8 @@ public:
         return std::make_unique<SingleAir>(shared, SingleSetup{settings_,
                                                                {&shaders::single_composite, &shaders::single_composite_raster,
                                                                 &shaders::single_light, &shaders::single_dome},
-                                                               false});
+                                                               false,
+                                                               "single"});
     }
 
 private:
@@ -160,11 +163,6 @@ void check_steps_kind(const std::string& field, Steps steps) {
     check_enum(field, steps, Steps::midpoints, "gauss or midpoints");
 }
 
-void check_table_format(const std::string& field, rhi::Format format) {
-    if (format != rhi::Format::rgba16_float && format != rhi::Format::rgba32_float)
-        reject(field, rhi::to_string(format), "rgba16_float or rgba32_float");
-}
-
 void check_dome(const std::string& field, const models::Dome& dome) {
     check_enum(field + ".phase", dome.phase, models::Dome::Phase::in_table, "at_look_up or in_table");
     check_table_format(field + ".format", dome.format);
@@ -204,7 +202,7 @@ SingleSettings SingleSettings::by_name(std::string_view quality) {
         settings.view_steps = 12;
         settings.light_steps = 10;
     } else {
-        detail::reject("quality", std::string("\"").append(quality).append("\""), "low, default or high");
+        detail::reject_quality(quality);
     }
     return settings;
 }

@@ -21,6 +21,7 @@ struct SingleSetup {
     models::SingleSettings settings;
     SingleKernels kernels;
     bool table;
+    std::string_view prefix;  ///< Of the settings' names in errors.
 };
 
 class SingleAir final : public ModelAir {
@@ -46,11 +47,10 @@ private:
     bool table_stale_ = true;
 };
 
-/// Checks shared by both models' settings; `prefix` is the model's name and a dot.
+/// Checks shared by both models' settings; `field` begins with the model's name and a dot.
 void check_steps(const std::string& field, models::Steps steps, int count);
 void check_steps_kind(const std::string& field, models::Steps steps);
 void check_dome(const std::string& field, const models::Dome& dome);
-void check_table_format(const std::string& field, rhi::Format format);
 /// Throws Error(unsupported) where the device cannot hold a dome.
 void require_dome(const rhi::Device& device, const models::Dome& dome);
 

@@ -1,5 +1,6 @@
 // Single scattering (models/single) with the transmittance table in the place of the nested march.
 #include "common/check.h"
+#include "common/check_table.h"
 #include "models/single/single.h"
 #include "module/requirements.h"
 
@@ -47,7 +48,8 @@ public:
                                            SingleSetup{march,
                                                        {&shaders::single_lut_composite, &shaders::single_lut_composite_raster,
                                                         &shaders::single_lut_light, &shaders::single_lut_dome},
-                                                       true});
+                                                       true,
+                                                       "single_lut"});
     }
 
 private:
@@ -82,7 +84,7 @@ SingleLutSettings SingleLutSettings::by_name(std::string_view quality) {
         settings.view_steps = 12;
         settings.table = {256, 64, 1};
     } else {
-        detail::reject("quality", std::string("\"").append(quality).append("\""), "low, default or high");
+        detail::reject_quality(quality);
     }
     return settings;
 }

@@ -27,6 +27,26 @@ TEST_CASE("single-lut: settings out of range are named") {
     CHECK(detail::rejected_field([] { (void)SingleLutSettings::by_name("ultra"); }) == "quality");
 }
 
+TEST_CASE("single-lut: a dome that the device cannot hold for so many suns is refused by its own name") {
+    const auto cpu = passes::open_cpu_float();
+    SingleLutSettings settings;
+    settings.dome.size = {4, 4096, 1};
+    passes::Setup setup;
+    setup.model = models::single_lut(settings);
+    passes::AirRig rig(*cpu, setup);
+    rhi::Capabilities less = cpu->device().capabilities();
+    less.max_texture_2d = 4096;
+    cpu->device().pretend(less);
+    std::string refused;
+    try {
+        const View view(rig.air);
+    } catch (const Error& error) {
+        CHECK(error.code() == ErrorCode::unsupported);
+        refused = error.field();
+    }
+    CHECK(refused == "single_lut.dome.size.height");
+}
+
 TEST_CASE("single-lut: every backend shows the same, everywhere and at every hour") {
     passes::Backends backends;
     passes::check_model(backends, models::single_lut(), "single-lut");

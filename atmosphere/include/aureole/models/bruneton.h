@@ -42,8 +42,9 @@ struct BrunetonSettings {
     double lowest_sun_deg = 102;
 
     /// Budget: altitude slices of a 4D table (of which a solution has altitude_nodes x (2 orders - 1)) computed by each
-    /// Atmosphere::record; 0: all at once. In [0, 1000000]. With a budget the tables in use stay complete, and what is shown
-    /// changes when the new ones are: a second set is kept (table_bytes). Views have nothing to show before the first
+    /// Atmosphere::record, and each of the orders - 1 passes over the field of arriving light counts as one more, though it is
+    /// recorded whole at any budget; 0: all at once. In [0, 1000000]. With a budget the tables in use stay complete, and what
+    /// is shown changes when the new ones are: a second set is kept (table_bytes). Views have nothing to show before the first
     /// solution is complete (Atmosphere::progress); other planet's radii are solved at once; a change meanwhile starts anew.
     int slices_per_frame = 0;
 

@@ -1,15 +1,18 @@
 #!/usr/bin/env python3
 """The application as a user sees it: results, one clear line and exit code 2 for every fault, nothing partial left behind.
 
-Usage: cli_test.py AUREOLE SCENES [BACKEND]; works in the current folder. Exit code 77: there is no device to test on.
+Usage: cli_test.py AUREOLE SCENES [BACKEND]; works in a folder of its own, which goes with it. Exit code 77: there is no device to test on.
 """
+import atexit
 import json
+import os
 import pathlib
 import shutil
 import subprocess
 import sys
+import tempfile
 
-AUREOLE, SCENES = sys.argv[1], pathlib.Path(sys.argv[2])
+AUREOLE, SCENES = str(pathlib.Path(sys.argv[1]).resolve()), pathlib.Path(sys.argv[2]).resolve()
 BACKEND = ['--backend', sys.argv[3] if len(sys.argv) > 3 else 'cpu']
 FOLDER = pathlib.Path('cli')
 failures = []
@@ -227,7 +230,9 @@ def check_help():
 if BACKEND[1] == 'vulkan' and not vulkan_runs():
     print('skipped: no usable Vulkan device')
     sys.exit(77)
-shutil.rmtree(FOLDER, ignore_errors=True)
+scratch = tempfile.mkdtemp(prefix='aureole_cli_')
+atexit.register(shutil.rmtree, scratch)
+os.chdir(scratch)
 FOLDER.mkdir()
 check_help()
 check_render()

@@ -84,7 +84,7 @@ TEST_CASE("bench: the counts of a pass are its own, however its pipelines are ca
     // Two of the paths' tables of directions: the paths are traced in the one, and only added up in the other.
     const BenchResult& reference = result_of("reference low");
     CHECK(reference.pass("light paths").counts.evaluations > 192 * 256);
-    CHECK(reference.pass("light").counts.evaluations == 0);
+    CHECK(reference.pass("light").counts.evaluations < 100);  // of the sun, as seen through the air
     CHECK(reference.pass("light").counts.fetches > 0);
     CHECK(result_of("bruneton low").pass("precomputation").counts.samples > 0);
     // A composite with geometry differs from one without.

@@ -78,6 +78,8 @@ def check_render():
         expect(f'model {model}, quality low' in out, f'render says which model: {out}')
         pictures.add((FOLDER / f'm-{model}.exr').read_bytes())
     expect(len(pictures) == len(models()) > 1, 'every model has its own picture')
+    result = run('render', noon, '-o', FOLDER / 'r.png', '--model', 'reference', '--size', '16x9', '--quality', 'low', *BACKEND)
+    expect('4/4  100%' in result.stderr and 'film' in result.stdout, 'the path tracer tells its progress', result)
     for spectral in ('3', '12'):
         out = works('render', noon, '-o', FOLDER / f's-{spectral}.exr', '--spectral', spectral, *small)
         expect(f'quality low, {spectral} wavelengths' in out, f'render says how many wavelengths: {out}')
@@ -205,6 +207,8 @@ def check_bench_and_devices():
     expect('aureole low' in out and 'aureole default' not in out and 'relative to aureole low' in out, f'bench of one: {out}')
     fails('--model', 'bench', *BACKEND, '--model', 'aureole,preetham')
     fails('--quality', 'bench', *BACKEND, '--quality', 'low,ultra')
+    fails('--preset: none not in {earth,hazy_earth,mars,airless', 'bench', *BACKEND, '--preset', 'none')
+    expect('earth, hazy_earth, mars, airless' in works('bench', '--help'), 'bench says which presets it takes')
     fails('--frames: 0 is not allowed; allowed: 1 to 100000', 'bench', *BACKEND, '--frames', 0)
     for text in ('abc', '3x', '-1', '1.5'):
         fails(f'--frames: "{text}" is not a whole number', 'bench', *BACKEND, f'--frames={text}')

@@ -28,7 +28,7 @@ std::optional<Rounds> rounds_of(const SceneModel& model, std::uint32_t width, st
 }
 
 ModelPtr metering_model(const SceneModel& model) {
-    if (model.name != traced) return model.make();
+    if (model.name != traced || !model.in_rgb()) return model.make();  // which refuses wavelengths
     models::ReferenceSettings settings = models::ReferenceSettings::by_name("low");
     settings.first_order_parts = 2;
     return models::reference(settings);

@@ -29,8 +29,8 @@ std::vector<float> composite_of(Backend& backend, const Scene& scene, const Mode
     DeviceTextures textures(backend);
     CompositeTargets targets;
     targets.extent = {scene.width, scene.height, 1};
-    targets.target = textures.create("picture", rhi::Format::rgba32_float, targets.extent,
-                                     rhi::Usage::storage | rhi::Usage::copy_source);
+    targets.target =
+        textures.create("picture", rhi::Format::rgba32_float, targets.extent, rhi::Usage::storage | rhi::Usage::copy_source);
     textures.make_ready(targets.target, rhi::State::storage_write);
     view.prepare_composite(targets);
     view.update(camera_of(scene, scene.camera.altitude_m, scene.width, scene.height), suns_of(scene));
@@ -65,8 +65,13 @@ TEST_CASE("rounds_of: paths of a pixel of the picture by quality, whatever its s
         std::uint32_t samples;
         int paths;  // of a pixel of the composite
     };
-    for (const Case& c : {Case{"low", 1, 16}, {"low", 2, 4}, {"low", 4, 1}, {"default", 1, 64}, {"default", 2, 16},
-                          {"default", 3, 8}, {"high", 2, 64}}) {
+    for (const Case& c : {Case{"low", 1, 16},
+                          {"low", 2, 4},
+                          {"low", 4, 1},
+                          {"default", 1, 64},
+                          {"default", 2, 16},
+                          {"default", 3, 8},
+                          {"high", 2, 64}}) {
         CAPTURE(c.quality);
         CAPTURE(c.samples);
         const auto sky = rounds_of({"reference", c.quality, "rgb"}, 30, 20, c.samples, false);
@@ -84,6 +89,7 @@ TEST_CASE("rounds_of: paths of a pixel of the picture by quality, whatever its s
         CHECK(land->averaged());
     }
     CHECK_FALSE(rounds_of({"aureole", "low", "rgb"}, 30, 20, 1, false));
+    CHECK_THROWS_AS((void)metering_model({"reference", "low", "4"}), Error);  // it has no wavelengths
 }
 
 TEST_CASE("the path tracer's rounds add up to the paths asked for") {
@@ -130,8 +136,8 @@ TEST_CASE("the path tracer with land: a mean of composites, shown as one is") {
         CAPTURE(first);
         CHECK(mean(linear.linear.rgb, 36, first, first + 4) ==
               doctest::Approx(mean(known.linear.rgb, 36, first, first + 4)).epsilon(0.05));
-        CHECK(std::abs(mean(display.display.rgb, 36, first, first + 4) - mean(known_display.display.rgb, 36, first, first + 4)) <
-              4);
+        CHECK(std::abs(mean(display.display.rgb, 36, first, first + 4) -
+                       mean(known_display.display.rgb, 36, first, first + 4)) < 4);
     }
 }
 
@@ -140,7 +146,8 @@ TEST_CASE("a model without shadows in the air shows a scene that has them, and s
     const auto backend = open_backend({.name = "cpu"});
     std::ostringstream said;
     const auto before = spdlog::default_logger();
-    spdlog::set_default_logger(std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_mt>(said)));
+    spdlog::set_default_logger(
+        std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_mt>(said)));
     for (const char* model : {"fog", "aureole"}) {
         const Scene scene = scene_of(model, land_text);
         const Land land(scene, scene.terrain->height_map);

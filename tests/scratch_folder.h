@@ -14,7 +14,7 @@ namespace aureole {
 class ScratchFolder {
 public:
     ScratchFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "aureole_test_XXXXXX").string();
+        std::string name = (std::filesystem::temp_directory_path() / "aureole_test_").string() + std::string(6, 'X');
         if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a folder " + name);
         path_ = name;
     }

@@ -1,7 +1,8 @@
 #include "app/bench.h"
 
+#include "app/pass_counts.h"
 #include "app/pass_times.h"
-#include "app/score.h"
+#include "app/quantile.h"
 
 #include <aureole/presets.h>
 
@@ -106,16 +107,11 @@ public:
 
     /// What each pass of one round does. The backend counts (BackendOptions::count_work).
     std::map<std::string, rhi::CpuCounts> count() {
-        std::map<std::string, rhi::CpuCounts> counts;
-        cpu::CpuDevice& device = *backend_.cpu();
         update(0);
-        device.reset_work();
-        draw_plain();
-        for (const cpu::PipelineWork& work : device.work()) counts[pass_of(work.pipeline)] += work.counts;
+        auto counts = count_passes(backend_, [&](rhi::CommandList& commands) { record_plain(commands, {}, {}); });
         draw_geometry_tables();
-        device.reset_work();
-        draw_geometry();
-        for (const cpu::PipelineWork& work : device.work()) counts[std::string(geometry_pass)] += work.counts;
+        const auto again = count_passes(backend_, [&](rhi::CommandList& commands) { record_geometry(commands, {}); });
+        counts[std::string(geometry_pass)] = again.at("composite");
         return counts;
     }
 
@@ -148,19 +144,24 @@ private:
         plain_.update(camera_, {&sun, 1});
         geometry_.update(camera_, {&sun, 1});
     }
+    void record_plain(rhi::CommandList& commands, TimestampSlots air, TimestampSlots view) {
+        air_.record(commands, air);
+        plain_.record(commands, view);
+        plain_.record_composite(commands, textures_.plain, view);
+    }
+    void record_geometry(rhi::CommandList& commands, TimestampSlots view) {
+        geometry_.record_composite(commands, textures_.geometry, view);
+    }
     void draw_plain() {
-        backend_.run([&](rhi::CommandList& commands) {
-            air_.record(commands, if_supported(backend_, air_slots));
-            plain_.record(commands, if_supported(backend_, view_slots));
-            plain_.record_composite(commands, textures_.plain, if_supported(backend_, view_slots));
-        });
+        const TimestampSlots air = if_supported(backend_, air_slots), view = if_supported(backend_, view_slots);
+        backend_.run([&](rhi::CommandList& commands) { record_plain(commands, air, view); });
     }
     void draw_geometry_tables() {
         backend_.run([&](rhi::CommandList& commands) { geometry_.record(commands); });
     }
     void draw_geometry() {
-        const TimestampSlots slots = if_supported(backend_, view_slots);
-        backend_.run([&](rhi::CommandList& commands) { geometry_.record_composite(commands, textures_.geometry, slots); });
+        const TimestampSlots view = if_supported(backend_, view_slots);
+        backend_.run([&](rhi::CommandList& commands) { record_geometry(commands, view); });
     }
     void keep(const std::vector<PassTime>& times) {
         double air = 0, view = 0;
@@ -180,14 +181,6 @@ private:
         const std::size_t before = geometry_.reports().size() - 1;
         return {true, view_slots.first + 2 * static_cast<std::uint32_t>(before)};
     }
-    /// Pipelines are named for their pass and more: multi_scatter_rays, hillaire_sky_view.
-    [[nodiscard]] std::string pass_of(std::string_view pipeline) const {
-        std::string longest;
-        for (const std::string& name : names_)
-            if (pipeline.find(name) != std::string_view::npos && name.size() > longest.size()) longest = name;
-        return longest;
-    }
-
     [[nodiscard]] std::uint64_t invocations_of(std::string_view name) const {
         if (name == geometry_pass) return geometry_.reports().back().invocations;
         for (const std::span<const PassReport> reports : {air_.reports(), plain_.reports()})

@@ -16,7 +16,7 @@ namespace aureole::app {
 
 struct BenchOptions {
     std::vector<SceneModel> models;  ///< What is measured, in this order.
-    std::string preset = "earth";    ///< The air: one of preset_names().
+    std::string preset = "earth";    ///< The air: one of presets::names().
     std::uint32_t width = 1280, height = 720;
     std::uint32_t frames = 20;  ///< Measured rounds.
     std::uint32_t warm_up = 2;  ///< Rounds before them that are thrown away.

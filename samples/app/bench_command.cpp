@@ -116,7 +116,6 @@ void run_bench(const BenchCommand& command) {
     options.width = size.width;
     options.height = size.height;
     options.models = chosen(command);
-    (void)presets::by_name(options.preset);
     if (!command.json.empty()) {
         const NewFile writable(command.json);
     }
@@ -166,8 +165,10 @@ void add_bench_command(CLI::App& program) {
         ->check(wavelengths())
         ->default_str("rgb");
     command->footer("Models:\n" + list_models("  "));
-    command->add_option("--preset", options->options.preset, "The air: a preset of scene files' [atmosphere]")
-        ->capture_default_str();
+    const std::vector<std::string> presets = strings(presets::names());
+    command->add_option("--preset", options->options.preset, "The air: " + CLI::detail::join(presets, ", "))
+        ->check(CLI::IsMember(presets))
+        ->default_str("earth");
     command->add_option("--size", options->size, "WIDTHxHEIGHT of the composite, in pixels")->default_str("1280x720");
     command->add_option("--frames", options->options.frames, "Rounds to measure, 1 to 100000; two more are thrown away")
         ->check(whole_number(1, 100000))

@@ -1,15 +1,18 @@
 #!/usr/bin/env python3
 """The application as a user sees it: results, one clear line and exit code 2 for every fault, nothing partial left behind.
 
-Usage: cli_test.py AUREOLE SCENES [BACKEND]; works in the current folder. Exit code 77: there is no device to test on.
+Usage: cli_test.py AUREOLE SCENES [BACKEND]; works in a folder of its own, which goes with it. Exit code 77: there is no device to test on.
 """
+import atexit
 import json
+import os
 import pathlib
 import shutil
 import subprocess
 import sys
+import tempfile
 
-AUREOLE, SCENES = sys.argv[1], pathlib.Path(sys.argv[2])
+AUREOLE, SCENES = str(pathlib.Path(sys.argv[1]).resolve()), pathlib.Path(sys.argv[2]).resolve()
 BACKEND = ['--backend', sys.argv[3] if len(sys.argv) > 3 else 'cpu']
 FOLDER = pathlib.Path('cli')
 failures = []
@@ -75,6 +78,8 @@ def check_render():
         expect(f'model {model}, quality low' in out, f'render says which model: {out}')
         pictures.add((FOLDER / f'm-{model}.exr').read_bytes())
     expect(len(pictures) == len(models()) > 1, 'every model has its own picture')
+    result = run('render', noon, '-o', FOLDER / 'r.png', '--model', 'reference', '--size', '16x9', '--quality', 'low', *BACKEND)
+    expect('4/4  100%' in result.stderr and 'film' in result.stdout, 'the path tracer tells its progress', result)
     for spectral in ('3', '12'):
         out = works('render', noon, '-o', FOLDER / f's-{spectral}.exr', '--spectral', spectral, *small)
         expect(f'quality low, {spectral} wavelengths' in out, f'render says how many wavelengths: {out}')
@@ -201,6 +206,8 @@ def check_bench_and_devices():
     expect('aureole low' in out and 'aureole default' not in out and 'relative to aureole low' in out, f'bench of one: {out}')
     fails('--model', 'bench', *BACKEND, '--model', 'aureole,preetham')
     fails('--quality', 'bench', *BACKEND, '--quality', 'low,ultra')
+    fails('--preset: none not in {earth,hazy_earth,mars,airless', 'bench', *BACKEND, '--preset', 'none')
+    expect('earth, hazy_earth, mars, airless' in works('bench', '--help'), 'bench says which presets it takes')
     fails('--frames: 0 is not allowed; allowed: 1 to 100000', 'bench', *BACKEND, '--frames', 0)
     for text in ('abc', '3x', '-1', '1.5'):
         fails(f'--frames: "{text}" is not a whole number', 'bench', *BACKEND, f'--frames={text}')
@@ -226,7 +233,9 @@ def check_help():
 if BACKEND[1] == 'vulkan' and not vulkan_runs():
     print('skipped: no usable Vulkan device')
     sys.exit(77)
-shutil.rmtree(FOLDER, ignore_errors=True)
+scratch = tempfile.mkdtemp(prefix='aureole_cli_')
+atexit.register(shutil.rmtree, scratch)
+os.chdir(scratch)
 FOLDER.mkdir()
 check_help()
 check_render()

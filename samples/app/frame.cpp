@@ -3,6 +3,7 @@
 #include "app/meter.h"
 #include "app/solution.h"
 
+#include <spdlog/spdlog.h>
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -24,12 +25,17 @@ rhi::Extent meter_extent(std::uint32_t width, std::uint32_t height) {
 }
 
 /// Said before anything is made, in the words of the command line.
-void check_size(const FrameOptions& options, std::uint32_t most) {
+void check_size(const FrameOptions& options, std::uint32_t most, bool film) {
     const std::string given = std::to_string(options.width) + "x" + std::to_string(options.height);
     if (std::max(options.width, options.height) / std::min(options.width, options.height) >= longest_aspect)
         throw Error(ErrorCode::invalid_argument, "--size", given, "one side less than 1000 times as long as the other");
     const std::uint32_t width = options.width * options.samples, height = options.height * options.samples;
-    if (std::max(width, height) <= most) return;
+    const std::uint32_t rows = film ? most / 3 : most;  // ReferenceSettings::film_height
+    if (width <= most && height <= rows) return;
+    if (width <= most && height <= most)
+        throw Error(ErrorCode::unsupported, "--size " + given + " with --samples " + std::to_string(options.samples),
+                    "a film of " + std::to_string(height) + " rows",
+                    "at most " + std::to_string(rows) + " on this device; fewer samples or a smaller size");
     throw Error(ErrorCode::unsupported, "--size " + given + " with --samples " + std::to_string(options.samples),
                 "a composite of " + std::to_string(width) + "x" + std::to_string(height),
                 "at most " + std::to_string(most) + " pixels a side on this device; fewer samples or a smaller size");
@@ -124,6 +130,13 @@ struct FrameRenderer::Target : Canvas {
         view.release_composite(small.targets);
     }
 
+    /// The view's tables alone.
+    void record(std::vector<PassTime>& times) {
+        const TimestampSlots slots = if_supported(backend, view_slots);
+        backend.run([&](rhi::CommandList& commands) { view.record(commands, slots); });
+        collect_times(backend, view.reports().first(view.reports().size() - 1), view_slots, times);
+    }
+
     void draw(std::vector<PassTime>* times) {
         const TimestampSlots slots = if_supported(backend, view_slots);
         backend.run([&](rhi::CommandList& commands) {
@@ -140,46 +153,95 @@ struct FrameRenderer::Target : Canvas {
     ShadowMap shadow_map;
 };
 
+/// Shows a mean of composites: geometry that fills the picture, in front of all air.
+struct FrameRenderer::Display {
+    Display(Backend& backend, const Scene& scene, CompositeSettings composite, rhi::Extent extent)
+        : air(backend.device(), scene.atmosphere, model_by_name("fog")),
+          target(backend, air, settings(scene), given(composite), extent) {
+        backend.run([&](rhi::CommandList& commands) { air.record(commands); });
+    }
+    static ViewSettings settings(const Scene& scene) {
+        ViewSettings settings;
+        settings.projection = scene.camera.projection;
+        settings.aerial_perspective = settings.light = false;
+        return settings;
+    }
+    static CompositeSettings given(CompositeSettings composite) {
+        composite.scene_color = composite.scene_depth = true;
+        composite.sun_disk = false;
+        return composite;
+    }
+    void draw(const Camera& camera, std::span<const float> rgba, double exposure) {
+        target.give_land(rgba, std::vector<float>(target.pixels(), 0.5F));  // of any depth
+        target.view.set_exposure(exposure);
+        target.view.update(camera, {});
+        target.draw(nullptr);
+    }
+
+    Atmosphere air;
+    Target target;
+};
+
 FrameRenderer::FrameRenderer(Backend& backend, const Scene& scene, const Land* land, const FrameOptions& options)
     : backend_(backend),
       scene_(scene),
       land_(land),
       options_(options),
       camera_altitude_m_(land ? land->camera_altitude_m() : scene.camera.altitude_m),
-      air_(backend.device(), scene.atmosphere, scene.model.make()) {
+      rounds_(rounds_of(scene.model, options.width, options.height, options.samples, land != nullptr)),
+      air_(backend.device(), scene.atmosphere, metering_model(scene.model)) {
     if (options.raster && !backend.device().capabilities().raster)
         throw Error(ErrorCode::unsupported, "--raster: " + backend.describe() + " has no raster pipelines");
-    check_size(options, backend.device().capabilities().max_texture_2d);
+    check_size(options, backend.device().capabilities().max_texture_2d, rounds_ && !rounds_->averaged());
+    if (rounds_)
+        traced_ = std::make_unique<Atmosphere>(backend.device(), scene.atmosphere, models::reference(rounds_->settings));
+    make_targets();
+}
+
+void FrameRenderer::make_targets() {
     CompositeSettings composite;
-    composite.scene_color = composite.scene_depth = land != nullptr;
-    const ViewSettings settings = view_settings(scene, land != nullptr);
+    composite.scene_color = composite.scene_depth = land_ != nullptr;
+    ViewSettings settings = view_settings(scene_, land_ != nullptr);
 
     CompositeSettings shown = composite;
-    shown.raster = options.raster;
-    shown.sun_disk = scene.sun_disk;
-    shown.sun_lobe_g = scene.sun_lobe_g;
-    shown.target_format = options.linear ? rhi::Format::rgba32_float : rhi::Format::rgba8_unorm;
-    if (!options.linear) {
-        shown.tone_map = ToneMap::aces_fitted;
-        shown.encode_srgb = shown.dither = true;
+    shown.raster = options_.raster;
+    shown.sun_disk = scene_.sun_disk;
+    shown.sun_lobe_g = scene_.sun_lobe_g;
+    CompositeSettings linear = shown;
+    linear.target_format = rhi::Format::rgba32_float;
+    shown.target_format = rhi::Format::rgba8_unorm;
+    shown.tone_map = ToneMap::aces_fitted;
+    shown.encode_srgb = shown.dither = true;
+    const rhi::Extent extent{options_.width * options_.samples, options_.height * options_.samples, 1};
+    const auto make = [&] {
+        return std::make_unique<Target>(backend_, traced_ ? *traced_ : air_, settings,
+                                        options_.linear || averaged() ? linear : shown, extent);
+    };
+    try {
+        target_ = make();
+    } catch (const Error& problem) {
+        if (problem.field() != "view.shadows.cascades") throw;
+        spdlog::warn("[terrain] air_shadows_m: the model {} takes no shadows in the air; the picture has none",
+                     scene_.model.name);
+        settings.shadows = {};
+        target_ = make();
     }
-    const rhi::Extent extent{options.width * options.samples, options.height * options.samples, 1};
-    target_ = std::make_unique<Target>(backend, air_, settings, shown, extent);
+    if (averaged() && !options_.linear) display_ = std::make_unique<Display>(backend_, scene_, shown, extent);
 
-    if (!options.linear && !scene.exposure.factor) {
+    if (!options_.linear && !scene_.exposure.factor) {
         CompositeSettings metered = composite;
         metered.sun_disk = false;
         metered.target_format = rhi::Format::rgba32_float;
-        meter_ = std::make_unique<Target>(backend, air_, settings, metered, meter_extent(options.width, options.height));
+        meter_ = std::make_unique<Target>(backend_, air_, settings, metered, meter_extent(options_.width, options_.height));
     }
 }
 
 FrameRenderer::~FrameRenderer() = default;
 
 /// Drivers compile a pipeline when it is first used: what is timed must not be the first use. Air with tables of the scene's
-/// own would get new pipelines by a change, so there the air's passes are left as they are.
+/// own would get new pipelines by a change, so there the air's passes are left as they are. Paths take longer than compiling.
 void FrameRenderer::warm_up(const Camera& camera, const std::vector<Sun>& suns) {
-    if (warm_ || backend_.cpu() || !if_supported(backend_, air_slots).enabled) return;
+    if (warm_ || traced_ || backend_.cpu() || !if_supported(backend_, air_slots).enabled) return;
     warm_ = true;
     AtmosphereParameters other = scene_.atmosphere;
     other.planet.ground_albedo = Rgb(1) - 0.5 * other.planet.ground_albedo;
@@ -212,7 +274,48 @@ double FrameRenderer::measure_exposure(const std::vector<Sun>& suns, const std::
                               solid_angles(camera, meter.targets.extent.width, meter.targets.extent.height));
 }
 
-Frame FrameRenderer::render(const std::vector<Sun>& suns, std::uint64_t number) {
+/// The picture as it is updated. Rounds of a model that traces paths are frames of their own.
+void FrameRenderer::draw(Frame& frame, std::uint64_t number, const std::function<void()>& after_round) {
+    Target& target = *target_;
+    const std::size_t values = 4 * target.pixels();
+    std::vector<float> mean(averaged() ? values : 0);
+    const std::size_t first = frame.times.size();
+    for (std::uint32_t round = 0; round < rounds(); ++round) {
+        if (traced_) {
+            traced_->set_frame(number * rounds() + round);
+            backend_.run([&](rhi::CommandList& commands) { traced_->record(commands); });
+        }
+        std::vector<PassTime> times;
+        if (averaged() || round + 1 == rounds())
+            target.draw(&times);
+        else
+            target.record(times);
+        add_times(times, frame.times, first);
+        if (averaged()) {
+            const std::vector<float> traced = target.textures.read_floats(target.targets.target, values, target.state);
+            for (std::size_t i = 0; i < values; ++i) mean[i] += (traced[i] - mean[i]) / static_cast<float>(round + 1);
+        }
+        if (after_round) after_round();
+    }
+
+    Target* last = &target;
+    const std::uint32_t width = target.targets.extent.width, height = target.targets.extent.height;
+    if (display_) {
+        last = &display_->target;
+        display_->draw(camera_of(scene_, camera_altitude_m_, width, height), mean, frame.exposure);
+    }
+    backend_.check();
+    if (options_.linear) {
+        if (!averaged()) mean = target.textures.read_floats(target.targets.target, values, target.state);
+        frame.linear = downsample(std::span<const float>(mean), width, height, options_.samples);
+    } else {
+        frame.display =
+            downsample(std::span<const std::uint8_t>(last->textures.read_bytes(last->targets.target, values, last->state)),
+                       width, height, options_.samples);
+    }
+}
+
+Frame FrameRenderer::render(const std::vector<Sun>& suns, std::uint64_t number, const std::function<void()>& after_round) {
     Frame frame;
     Target& target = *target_;
     const std::uint32_t width = target.targets.extent.width, height = target.targets.extent.height;
@@ -234,19 +337,9 @@ Frame FrameRenderer::render(const std::vector<Sun>& suns, std::uint64_t number) 
             target.give_shadows(
                 land_->cast_shadows(camera, glm::normalize(suns.front().direction), scene_.terrain->air_shadows_m));
     }
-    target.view.set_exposure(frame.exposure);
+    target.view.set_exposure(averaged() ? 1 : frame.exposure);
     target.view.update(camera, suns);
-    target.draw(&frame.times);
-    backend_.check();
-
-    if (options_.linear)
-        frame.linear = downsample(
-            std::span<const float>(target.textures.read_floats(target.targets.target, 4 * target.pixels(), target.state)),
-            width, height, options_.samples);
-    else
-        frame.display = downsample(
-            std::span<const std::uint8_t>(target.textures.read_bytes(target.targets.target, 4 * target.pixels(), target.state)),
-            width, height, options_.samples);
+    draw(frame, number, after_round);
     return frame;
 }
 

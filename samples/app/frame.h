@@ -3,10 +3,12 @@
 
 #include "app/land.h"
 #include "app/pass_times.h"
+#include "app/rounds.h"
 #include "io/image.h"
 
 #include <aureole/atmosphere.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -30,18 +32,26 @@ struct Frame {
 class FrameRenderer {
 public:
     /// `backend` and `land` (null: none) must outlive the renderer. Throws Error(unsupported) naming --size and --samples if
-    /// the device takes no picture of samples times the size.
+    /// the device takes no picture of samples times the size. A model that takes no shadows in the air (fog, reference) goes
+    /// without, and the log says so.
     FrameRenderer(Backend& backend, const Scene& scene, const Land* land, const FrameOptions& options);
     ~FrameRenderer();
 
     /// The scene under these suns. `number` counts frames; the dither pattern moves with it. Times are of passes that have run
     /// before, without what a driver does at a pipeline's first use; of air with tables of its own (TabulatedProfile,
-    /// TabulatedPhase) transmittance and multi_scatter are the exception.
-    [[nodiscard]] Frame render(const std::vector<Sun>& suns, std::uint64_t number = 0);
+    /// TabulatedPhase) transmittance and multi_scatter are the exception. `after_round` is called rounds() times.
+    [[nodiscard]] Frame render(const std::vector<Sun>& suns, std::uint64_t number = 0,
+                               const std::function<void()>& after_round = {});
+    /// Rounds of a picture: 1 for all models but `reference` (rounds.h).
+    [[nodiscard]] std::uint32_t rounds() const noexcept { return rounds_ ? rounds_->count : 1; }
 
 private:
     struct Canvas;
     struct Target;
+    struct Display;
+    [[nodiscard]] bool averaged() const noexcept { return rounds_ && rounds_->averaged(); }
+    void make_targets();
+    void draw(Frame& frame, std::uint64_t number, const std::function<void()>& after_round);
     void warm_up(const Camera& camera, const std::vector<Sun>& suns);
     void record_air(std::vector<PassTime>& times);
     [[nodiscard]] double measure_exposure(const std::vector<Sun>& suns, const std::optional<TerrainLight>& light);
@@ -51,9 +61,12 @@ private:
     const Land* land_;
     FrameOptions options_;
     double camera_altitude_m_;
-    Atmosphere air_;
+    std::optional<Rounds> rounds_;
+    Atmosphere air_;                      ///< That of the meter and of the land's light, and of the picture as a rule.
+    std::unique_ptr<Atmosphere> traced_;  ///< That of the picture, with rounds.
     std::unique_ptr<Target> target_, meter_;
-    std::vector<PassTime> air_times_;  ///< Of a solution that the warm-up has made.
+    std::unique_ptr<Display> display_;  ///< Of a mean of composites.
+    std::vector<PassTime> air_times_;   ///< Of a solution that the warm-up has made.
     bool warm_ = false;
 };
 

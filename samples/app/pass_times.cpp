@@ -1,5 +1,6 @@
 #include "app/pass_times.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace aureole::app {
@@ -16,6 +17,17 @@ void collect_times(Backend& backend, std::span<const PassReport> reports, Timest
         if (!reports[i].recorded) continue;
         const std::size_t first = slots.first + 2 * i;
         times.push_back({std::string(reports[i].name), (nanoseconds[first + 1] - nanoseconds[first]) * 1e-6});
+    }
+}
+
+void add_times(const std::vector<PassTime>& part, std::vector<PassTime>& times, std::size_t first) {
+    for (const PassTime& time : part) {
+        const auto found = std::find_if(times.begin() + static_cast<std::ptrdiff_t>(first), times.end(),
+                                        [&](const PassTime& other) { return other.name == time.name; });
+        if (found == times.end())
+            times.push_back(time);
+        else
+            found->milliseconds += time.milliseconds;
     }
 }
 

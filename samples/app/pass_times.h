@@ -24,6 +24,8 @@ inline constexpr std::size_t slot_count = 48;
 [[nodiscard]] TimestampSlots if_supported(Backend& backend, TimestampSlots slots);
 /// Appends the times of those passes that the latest run has recorded; nothing if the device has no clock.
 void collect_times(Backend& backend, std::span<const PassReport> reports, TimestampSlots slots, std::vector<PassTime>& times);
+/// Adds times of passes to those of the same name from `first` on, or appends them.
+void add_times(const std::vector<PassTime>& part, std::vector<PassTime>& times, std::size_t first);
 /// "transmittance 0.21 ms, multi_scatter 3.02 ms, ..."
 [[nodiscard]] std::string print_times(const std::vector<PassTime>& times);
 

@@ -124,4 +124,15 @@ std::vector<Rgb> probe(Backend& backend, const AtmosphereParameters& parameters,
     return radiance;
 }
 
+std::string print_rows(const std::string& comment, std::span<const ProbeRow> rows, std::span<const Rgb> radiance) {
+    std::string text = "# " + comment + "\nsun_zenith_deg,altitude_km,view_zenith_deg,azimuth_deg,r,g,b\n";
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const ProbeRow& row = rows[i];
+        for (const double value : {row.sun_zenith_deg, row.altitude_km, row.view_zenith_deg, row.azimuth_deg})
+            text.append(print_number(value)).append(",");
+        for (int c = 0; c < 3; ++c) text.append(print_number(static_cast<float>(radiance[i][c]))).append(c < 2 ? "," : "\n");
+    }
+    return text;
+}
+
 }  // namespace aureole::app

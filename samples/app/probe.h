@@ -28,4 +28,7 @@ void check_row(const ProbeRow& row, const std::string& place);
 [[nodiscard]] std::vector<Rgb> probe(Backend& backend, const AtmosphereParameters& parameters, const ModelPtr& model,
                                      std::span<const ProbeRow> rows);
 
+/// As a CSV file, with a comment line.
+[[nodiscard]] std::string print_rows(const std::string& comment, std::span<const ProbeRow> rows, std::span<const Rgb> radiance);
+
 }  // namespace aureole::app

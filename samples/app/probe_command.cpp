@@ -29,17 +29,6 @@ std::vector<ProbeRow> read_rows(const std::filesystem::path& path) {
     return rows;
 }
 
-std::string print_rows(const std::string& comment, std::span<const ProbeRow> rows, std::span<const Rgb> radiance) {
-    std::string text = "# " + comment + "\nsun_zenith_deg,altitude_km,view_zenith_deg,azimuth_deg,r,g,b\n";
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const ProbeRow& row = rows[i];
-        for (const double value : {row.sun_zenith_deg, row.altitude_km, row.view_zenith_deg, row.azimuth_deg})
-            text.append(print_number(value)).append(",");
-        for (int c = 0; c < 3; ++c) text.append(print_number(static_cast<float>(radiance[i][c]))).append(c < 2 ? "," : "\n");
-    }
-    return text;
-}
-
 void run_probe(const ProbeOptions& options) {
     const Scene scene = read_scene(options.scene);
     const SceneModel model = options.model.of(scene.model);

@@ -75,12 +75,16 @@ void render_sequence(const RenderOptions& options, Scene& scene, FrameRenderer& 
     const SunPath path = parse_sun_path(options.sun_elevation, options.frames);
     if (scene.suns.empty())
         throw Error(ErrorCode::invalid_argument, "--sun-elevation", options.sun_elevation, "a scene with a [[sun]]");
-    Progress progress(options.frames, stderr, isatty(STDERR_FILENO) == 1);
+    const std::uint32_t rounds = renderer.rounds();
+    Progress progress(std::size_t{options.frames} * rounds, stderr, isatty(STDERR_FILENO) == 1);
+    const auto after_round = [&, round = 0U]() mutable {
+        if (++round % rounds != 0) progress.step();  // the last of a picture: once it is written
+    };
     std::vector<PassTime> times;
     for (std::uint32_t i = 0; i < options.frames; ++i) {
         scene.suns.front().pose.elevation_deg = path.elevation_deg(i);
         try {
-            const Frame frame = renderer.render(suns_of(scene), i);
+            const Frame frame = renderer.render(suns_of(scene), i, after_round);
             write_frame(numbered(options.output, i + 1), frame);
             times = frame.times;
         } catch (const Error& problem) {
@@ -93,6 +97,13 @@ void render_sequence(const RenderOptions& options, Scene& scene, FrameRenderer& 
     std::printf("%s .. %s  %u pictures of %ux%u\n  passes of the last: %s\n", numbered(options.output, 1).c_str(),
                 numbered(options.output, options.frames).c_str(), options.frames, scene.width, scene.height,
                 print_times(times).c_str());
+}
+
+/// A bar for what is drawn in rounds.
+Frame render_with_progress(FrameRenderer& renderer, const Scene& scene) {
+    if (renderer.rounds() == 1) return renderer.render(suns_of(scene));
+    Progress progress(renderer.rounds(), stderr, isatty(STDERR_FILENO) == 1);
+    return renderer.render(suns_of(scene), 0, [&] { progress.step(); });
 }
 
 void render(const RenderOptions& options) {
@@ -120,7 +131,7 @@ void render(const RenderOptions& options) {
         backend->close();
         return;
     }
-    const Frame frame = renderer->render(suns_of(scene));
+    const Frame frame = render_with_progress(*renderer, scene);
     renderer.reset();
     backend->close();
     write_frame(options.output, frame);
@@ -141,6 +152,11 @@ void add_render_command(CLI::App& program) {
         ->required();
     add_backend_options(*command, options->backend);
     add_model_options(*command, options->model);
+    command->get_option("--quality")
+        ->description(
+            "How finely the model works, instead of the scene's; of reference: 16, 64 or 256 paths a pixel of the picture, "
+            "shared out "
+            "over its --samples, in rounds with a progress bar");
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels, instead of the scene's");
     command->add_option("--projection", options->projection, "Instead of the scene's")
         ->check(CLI::IsMember({"perspective", "fisheye", "panorama"}));

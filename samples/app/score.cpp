@@ -1,5 +1,7 @@
 #include "app/score.h"
 
+#include "app/quantile.h"
+#include "app/row_error.h"
 #include "io/csv.h"
 
 #include <aureole/rhi/error.h>
@@ -10,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <tuple>
 
 namespace aureole::app {
@@ -20,31 +23,14 @@ constexpr std::array<std::string_view, 7> result_columns{
 constexpr std::array<std::string_view, 10> truth_columns{
     "sun_zenith_deg", "altitude_km", "view_zenith_deg", "azimuth_deg",     "L_r_per_sr",
     "L_g_per_sr",     "L_b_per_sr",  "stderr_r_per_sr", "stderr_g_per_sr", "stderr_b_per_sr"};
-constexpr double most_noise = 0.02;
 
 using Place = std::array<double, 4>;
-using Color = std::array<double, 3>;
 
 Place place_of(const CsvTable& table, std::size_t row) {
     return {table.columns[0][row], table.columns[1][row], table.columns[2][row], table.columns[3][row]};
 }
-Color color_of(const CsvTable& table, std::size_t row, std::size_t first) {
+Channels color_of(const CsvTable& table, std::size_t row, std::size_t first) {
     return {table.columns[first][row], table.columns[first + 1][row], table.columns[first + 2][row]};
-}
-
-bool too_noisy(const Color& value, const Color& noise) {
-    for (std::size_t c = 0; c < 3; ++c)
-        if (noise[c] > most_noise * std::abs(value[c])) return true;
-    return false;
-}
-
-double difference(const Color& a, const Color& truth) {
-    double apart = 0, sum = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-        apart += std::abs(a[c] - truth[c]);
-        sum += std::abs(truth[c]);
-    }
-    return sum > 0 ? apart / sum : (apart > 0 ? INFINITY : 0);
 }
 
 bool meets_ground(const Place& place, double bottom_radius_km) {
@@ -66,13 +52,6 @@ double radius_from(const CsvTable& truth, const std::string& file) {
 }
 
 }  // namespace
-
-double quantile(const std::vector<double>& sorted, double q) {
-    if (sorted.empty()) return 0;
-    const double at = q * static_cast<double>(sorted.size() - 1);
-    const std::size_t below = static_cast<std::size_t>(at), above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] == sorted[above] ? sorted[below] : std::lerp(sorted[below], sorted[above], at - std::floor(at));
-}
 
 std::vector<ScoreLine> score(const std::filesystem::path& result_path, const std::filesystem::path& truth_path,
                              const ScoreOptions& options) {
@@ -99,15 +78,15 @@ std::vector<ScoreLine> score(const std::filesystem::path& result_path, const std
         group.line.sun_zenith_deg = place[0];
         group.line.altitude_km = place[1];
         group.line.ray = ray;
-        const Color value = color_of(truth, i, 4);
-        if (too_noisy(value, color_of(truth, i, 7))) {
+        const std::optional<double> error =
+            row_error(color_of(result, match->second, 4), color_of(truth, i, 4), color_of(truth, i, 7));
+        if (!error) {
             ++group.line.skipped;
             continue;
         }
-        const double error = difference(color_of(result, match->second, 4), value);
-        group.errors.push_back(error);
-        if (group.errors.size() == 1 || error > group.line.worst) {
-            group.line.worst = error;
+        group.errors.push_back(*error);
+        if (group.errors.size() == 1 || *error > group.line.worst) {
+            group.line.worst = *error;
             group.line.worst_line = truth.lines[i];
         }
     }

@@ -19,7 +19,7 @@ struct ScoreLine {
     double altitude_km = 0;                 ///< With by_altitude.
     std::string ray;                        ///< "sky" or "ground" with by_ray.
     std::size_t rows = 0;                   ///< Compared.
-    std::size_t skipped = 0;                ///< Standard error of the truth above 2 % in a channel.
+    std::size_t skipped = 0;                ///< What row_error leaves out: the truth too noisy, or black as the result.
     double median = 0, p95 = 0, worst = 0;  ///< Of sum |dL| / sum L over the channels; 0 if no row is left.
     int worst_line = 0;                     ///< Of the truth file.
 };
@@ -28,8 +28,5 @@ struct ScoreLine {
 /// of the truth must be in the result. Throws Error: io, invalid_argument.
 [[nodiscard]] std::vector<ScoreLine> score(const std::filesystem::path& result, const std::filesystem::path& truth,
                                            const ScoreOptions& options);
-
-/// Value below which a share `q` of the sorted values lies, linear between neighbours (as NumPy's default).
-[[nodiscard]] double quantile(const std::vector<double>& sorted, double q);
 
 }  // namespace aureole::app

@@ -57,7 +57,8 @@ void add_score_command(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "score",
         "How far a probe's result is from a table of truth: sum |dL| / sum L over red, green, blue, in %, for each "
-        "zenith angle of the sun in degrees. Rows of the truth with a standard error above 2 % in a channel are skipped");
+        "zenith angle of the sun in degrees. Rows of the truth with a standard error above 2 % in a channel are skipped, and "
+        "rays that meet nothing");
     command->add_option("RESULT.csv", options->result, "What `aureole probe` wrote")->required();
     command->add_option("TRUTH.csv", options->truth, "Columns L_r_per_sr .. and stderr_r_per_sr .., in 1/sr")->required();
     command->add_flag("--by-altitude", options->options.by_altitude, "Split by altitude (km)");

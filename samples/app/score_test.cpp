@@ -1,5 +1,7 @@
 #include "app/score.h"
 
+#include "app/quantile.h"
+#include "app/row_error.h"
 #include "io/test_files.h"
 
 #include <doctest/doctest.h>
@@ -16,11 +18,20 @@ const std::string truth_header =
 }  // namespace
 
 TEST_CASE("quantile: linear between neighbours") {
-    CHECK(quantile({}, 0.5) == 0);
-    CHECK(quantile({3}, 0.95) == 3);
-    CHECK(quantile({1, 2, 3, 4}, 0.5) == doctest::Approx(2.5));
-    CHECK(quantile({0, 10}, 0.95) == doctest::Approx(9.5));
-    CHECK(quantile({0, 10}, 1) == 10);
+    const auto of = [](const std::vector<double>& sorted, double q) { return quantile(sorted, q); };
+    CHECK(of({}, 0.5) == 0);
+    CHECK(of({3}, 0.95) == 3);
+    CHECK(of({1, 2, 3, 4}, 0.5) == doctest::Approx(2.5));
+    CHECK(of({0, 10}, 0.95) == doctest::Approx(9.5));
+    CHECK(of({0, 10}, 1) == 10);
+}
+
+TEST_CASE("row_error: rows that say nothing, and light where there is none") {
+    const Channels none{0, 0, 0};
+    CHECK(row_error({1.1, 2, 3}, {1, 2, 3}, {0, 0, 0.06}) == doctest::Approx(0.1 / 6));
+    CHECK_FALSE(row_error({1, 2, 3}, {1, 2, 3}, {0, 0.041, 0}));
+    CHECK_FALSE(row_error(none, none, none));
+    CHECK(row_error({0, 0, 1e-9}, none, none) == INFINITY);
 }
 
 TEST_CASE("score: errors, skipped rows, groups") {
@@ -30,7 +41,7 @@ TEST_CASE("score: errors, skipped rows, groups") {
                                             "0,0,90,0,1,2,3,0,0,0.06\n"      // 0.1 / 6; noise of 2 % is not above 2 %
                                             "0,0,120,0,1,1,2,0,0,0\n"        // 2 / 4
                                             "0,5,90,0,1,0,0,0,0,0\n"         // 3
-                                            "60,0,0,0,0,0,0,0,0,0\n"         // black is black
+                                            "60,0,0,0,0,0,0,0,0,0\n"         // nothing, and nothing seen
                                             "60,0,10,0,1,1,1,0,0.021,0\n");  // too noisy
     const std::vector<ScoreLine> all = score(result, truth, {});
     REQUIRE(all.size() == 2);
@@ -39,8 +50,8 @@ TEST_CASE("score: errors, skipped rows, groups") {
     CHECK(all[0].p95 == doctest::Approx(0.5 + 0.9 * 2.5));
     CHECK(all[0].worst == doctest::Approx(3));
     CHECK(all[0].worst_line == 5);
-    CHECK(all[1].rows == 1);
-    CHECK(all[1].skipped == 1);
+    CHECK(all[1].rows == 0);
+    CHECK(all[1].skipped == 2);
     CHECK(all[1].median == 0);
 
     ScoreOptions split;

@@ -12,17 +12,6 @@ namespace {
 /// Steps of the bar: progress is told in shares.
 constexpr std::size_t steps = 50;
 
-void add(const std::vector<PassTime>& part, std::vector<PassTime>& times, std::size_t first) {
-    for (const PassTime& time : part) {
-        const auto found = std::find_if(times.begin() + static_cast<std::ptrdiff_t>(first), times.end(),
-                                        [&](const PassTime& other) { return other.name == time.name; });
-        if (found == times.end())
-            times.push_back(time);
-        else
-            found->milliseconds += time.milliseconds;
-    }
-}
-
 }  // namespace
 
 void solve(Backend& backend, Atmosphere& air, std::vector<PassTime>& times) {
@@ -37,7 +26,7 @@ void solve(Backend& backend, Atmosphere& air, std::vector<PassTime>& times) {
         backend.run([&](rhi::CommandList& commands) { air.record(commands, slots); });
         std::vector<PassTime> part;
         collect_times(backend, air.reports(), slots, part);
-        add(part, times, first);
+        add_times(part, times, first);
         for (; bar && drawn < static_cast<std::size_t>(air.progress() * steps); ++drawn) bar->step();
     } while (air.progress() < 1);
     if (long_work) air.set_multi_scatter_passes_per_frame(0);

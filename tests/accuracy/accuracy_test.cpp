@@ -41,13 +41,14 @@ AtmosphereParameters clear() { return presets::earth(); }
 
 }  // namespace
 
-TEST_CASE("clear Earth, default quality: within 0.5 % (p95 1.5 %) by day, 0.7 % (4 %) at -2 degrees, 1.1 % (5.5 %) at -4 degrees") {
-    check("earth.csv", clear(), QualitySettings::standard(), {{0, 0.3, 1.5}, {60, 0.3, 1.5}, {85, 0.5, 1.5}, {92, 0.7, 4}, {94, 1.1, 5.5}});
+TEST_CASE(
+    "clear Earth, default quality: within 0.5 % (p95 1.5 %) by day, 0.7 % (4 %) at -2 degrees, 1.1 % (5.5 %) at -4 degrees") {
+    check("earth.csv", clear(), QualitySettings::standard(),
+          {{0, 0.3, 1.5}, {60, 0.3, 1.5}, {85, 0.5, 1.5}, {92, 0.7, 4}, {94, 1.1, 5.5}});
 }
 
 TEST_CASE("clear Earth, high quality: within 0.3 % (p95 1 %) by day, 0.5 % (2 %) at -2 degrees, 1 % (4 %) at -4 degrees") {
-    check("earth.csv", clear(), QualitySettings::high(),
-          {{0, 0.3, 1}, {60, 0.3, 1}, {85, 0.3, 1}, {92, 0.5, 2}, {94, 1, 4}});
+    check("earth.csv", clear(), QualitySettings::high(), {{0, 0.3, 1}, {60, 0.3, 1}, {85, 0.3, 1}, {92, 0.5, 2}, {94, 1, 4}});
 }
 
 // The settings below have no target of their own yet: a third more than measured, so that a change for the worse shows.

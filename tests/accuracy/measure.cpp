@@ -1,14 +1,19 @@
 #include "accuracy/measure.h"
 
+#include "app/quantile.h"
+#include "app/row_error.h"
 #include "physics/truth.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace aureole::physics {
 namespace {
 
-constexpr const char* channels[] = {"r_per_sr", "g_per_sr", "b_per_sr"};
+app::Channels channels(const std::map<std::string, std::string>& row, const std::string& what) {
+    return {number(row, what + "_r_per_sr"), number(row, what + "_g_per_sr"), number(row, what + "_b_per_sr")};
+}
 
 bool from_air_to_sky(const std::map<std::string, std::string>& row, const Planet& planet) {
     const double altitude = 1000 * number(row, "altitude_km"),
@@ -22,7 +27,7 @@ bool from_air_to_sky(const std::map<std::string, std::string>& row, const Planet
 
 double Errors::quantile(double q) {
     std::sort(percent.begin(), percent.end());
-    return percent.at(std::min(percent.size() - 1, static_cast<std::size_t>(q * static_cast<double>(percent.size()))));
+    return app::quantile(percent, q);
 }
 
 std::map<double, Errors> measure(const char* file, const AtmosphereParameters& air, const ModelPtr& model, bool sky_alone) {
@@ -43,13 +48,9 @@ std::map<double, Errors> measure(const char* file, const AtmosphereParameters& a
             directions.push_back(direction(number(row, "view_zenith_deg") * degree, number(row, "azimuth_deg") * degree));
         const std::vector<Rgb> seen = sky.radiance(directions);
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            Rgb truth;
-            bool certain = true;
-            for (int c = 0; c < 3; ++c) {
-                truth[c] = number(rows[i], std::string("L_") + channels[c]);
-                certain &= number(rows[i], std::string("stderr_") + channels[c]) <= 0.02 * truth[c];
-            }
-            if (certain && sum(truth) > 0) errors[place.first].percent.push_back(100 * apart(seen[i], truth));
+            const auto error =
+                app::row_error({seen[i].r, seen[i].g, seen[i].b}, channels(rows[i], "L"), channels(rows[i], "stderr"));
+            if (error) errors[place.first].percent.push_back(100 * *error);
         }
     }
     return errors;

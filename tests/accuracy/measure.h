@@ -1,6 +1,6 @@
 // Errors of a model against a table of truth: every row of the table goes through Atmosphere, View and composite in float, as
-// `aureole probe` sends it. The error of a row is sum |dL| / sum L over red, green and blue; rows whose standard error exceeds
-// 2 % are left out.
+// `aureole probe` sends it. The errors of rows, and quantiles of them, are those of `aureole score` (app/row_error.h,
+// app/quantile.h).
 #pragma once
 
 #include "physics/sky.h"
@@ -12,7 +12,7 @@ namespace aureole::physics {
 
 struct Errors {
     std::vector<double> percent;
-    [[nodiscard]] double quantile(double q);
+    [[nodiscard]] double quantile(double q);  ///< 0 for no rows.
 };
 
 /// By zenith angle of the sun, in degrees. `sky_alone`: cameras in the air and rays that end in the sky, as tables that others

@@ -1,5 +1,7 @@
 #include "host/glslang.h"
 
+#include "scratch_folder.h"
+
 #include <doctest/doctest.h>
 
 #include <cstdlib>
@@ -21,8 +23,9 @@ std::string read_file(const std::string& path) {
 }  // namespace
 
 Compiled compile(const std::string& text, const std::string& stage, Api api) {
-    const std::string source = "host." + stage, output = "host.spv", log = "host.log";
-    std::filesystem::remove(output);
+    const ScratchFolder folder;
+    const std::string source = folder.path() / ("host." + stage), output = folder.path() / "host.spv",
+                      log = folder.path() / "host.log";
     std::ofstream(source, std::ios::binary) << text;
     const std::string target = api == Api::vulkan ? "-V --target-env vulkan1.1" : "-G --target-env opengl";
     const std::string command = std::string("\"") + AUREOLE_GLSLANG + "\" " + target + " -S " + stage + " -I\"" +

@@ -15,12 +15,12 @@ std::vector<std::string> cells(const std::string& line) {
     return result;
 }
 
+}  // namespace
+
 std::filesystem::path truth_file(const std::string& name) {
     const char* named = std::getenv("AUREOLE_TRUTH_DIR");
     return std::filesystem::path(named ? named : AUREOLE_TRUTH_TABLES) / name;
 }
-
-}  // namespace
 
 TruthTable read_truth(const std::string& name) {
     const std::filesystem::path path = truth_file(name);

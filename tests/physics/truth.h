@@ -14,6 +14,8 @@ struct TruthTable {
     std::string comment;
     std::vector<std::map<std::string, std::string>> rows;
 };
+/// Where the table of that file name is.
+[[nodiscard]] std::filesystem::path truth_file(const std::string& name);
 /// The table of that file name. Throws std::runtime_error naming the file if it is not there, has a row of the wrong length, or
 /// none at all.
 [[nodiscard]] TruthTable read_truth(const std::string& name);

@@ -89,15 +89,15 @@ TEST_CASE("look: where it stands and looks") {
     const glm::dvec4 ahead = c.view * glm::dvec4(c.position_m + 10.0 * forward, 1);
     CHECK(ahead.x == doctest::Approx(0).epsilon(1e-8));
     CHECK(ahead.y == doctest::Approx(0).epsilon(1e-8));
-    CHECK(ahead.z == doctest::Approx(-10).epsilon(1e-8));
+    CHECK(ahead.z == doctest::Approx(-10).scale(1e-300).epsilon(1e-8));
     // Half the field of view above the axis lands on the upper edge of clip space; the near plane on depth 1, infinity on 0.
     const glm::dvec4 edge = c.projection * glm::dvec4(0, std::tan(0.5), -1, 1);
-    CHECK(edge.y / edge.w == doctest::Approx(1).epsilon(1e-14));
+    CHECK(edge.y / edge.w == doctest::Approx(1).scale(1e-300).epsilon(1e-14));
     const glm::dvec4 side = c.projection * glm::dvec4(1.5 * std::tan(0.5), 0, -1, 1);
-    CHECK(side.x / side.w == doctest::Approx(1).epsilon(1e-14));
+    CHECK(side.x / side.w == doctest::Approx(1).scale(1e-300).epsilon(1e-14));
     const glm::dvec4 near_point = c.projection * glm::dvec4(0, 0, -0.25, 1),
                      far_point = c.projection * glm::dvec4(0, 0, -1e12, 1);
-    CHECK(near_point.z / near_point.w == doctest::Approx(1).epsilon(1e-14));
+    CHECK(near_point.z / near_point.w == doctest::Approx(1).scale(1e-300).epsilon(1e-14));
     CHECK(far_point.z / far_point.w < 1e-12);
     // Straight up and down are no special cases.
     for (const double elevation : {-pi / 2, pi / 2}) {

@@ -44,11 +44,11 @@ TEST_CASE("pack_atmosphere: earth") {
     CHECK(p.block.term_profile[2].y == static_cast<float>(1 / 15.0));
     CHECK(p.block.term_scattering[0].z == static_cast<float>(33.1e-3));
     CHECK(p.block.term_scattering[2] == glm::vec4(0));
-    CHECK(p.block.term_extinction[1].x == doctest::Approx(4.44e-3f).epsilon(1e-6));
+    CHECK(p.block.term_extinction[1].x == doctest::Approx(4.44e-3f).scale(1e-300).epsilon(1e-6));
     CHECK(p.block.term_extinction[2].y == static_cast<float>(1.881e-3));
     CHECK(p.block.phase_parameters[1].x == 0.8f);
-    CHECK(p.block.phase_moments[0].x == doctest::Approx(1).epsilon(1e-6));
-    CHECK(p.block.phase_moments[0].z == doctest::Approx(0.1).epsilon(1e-6));
+    CHECK(p.block.phase_moments[0].x == doctest::Approx(1).scale(1e-300).epsilon(1e-6));
+    CHECK(p.block.phase_moments[0].z == doctest::Approx(0.1).scale(1e-300).epsilon(1e-6));
     const std::vector<double> moments = legendre_moments(CornetteShanksPhase{0.8}, 12);
     for (int l = 0; l < 12; ++l)
         CHECK(p.block.phase_moments[3 + l / 4][l % 4] == static_cast<float>(moments[static_cast<std::size_t>(l)]));
@@ -120,12 +120,13 @@ TEST_CASE("pack_atmosphere: tables") {
     // The last cell lies beyond the highest sample, 9 km.
     const double end = 9 * std::pow(4095.0 / 4094, 2);
     CHECK(p.block.tables.y == static_cast<float>(end));
-    CHECK(p.phase_table[17] == doctest::Approx(1 / (4 * std::numbers::pi)).epsilon(1e-6));
+    CHECK(p.phase_table[17] == doctest::Approx(1 / (4 * std::numbers::pi)).scale(1e-300).epsilon(1e-6));
     // Texel i lies at end (i / 4095)^2; beyond 4 km the first profile is constant.
-    CHECK(p.profile_table[0] == doctest::Approx(0.5).epsilon(1e-5));
-    CHECK(p.profile_table[1930] == doctest::Approx(0.5 - 0.0625 * end * std::pow(1930 / 4095.0, 2)).epsilon(1e-5));
-    CHECK(p.profile_table[4000] == doctest::Approx(0.25).epsilon(1e-6));
-    CHECK(p.profile_table[4096 + 2000] == doctest::Approx(3).epsilon(1e-6));
+    CHECK(p.profile_table[0] == doctest::Approx(0.5).scale(1e-300).epsilon(1e-5));
+    CHECK(p.profile_table[1930] ==
+          doctest::Approx(0.5 - 0.0625 * end * std::pow(1930 / 4095.0, 2)).scale(1e-300).epsilon(1e-5));
+    CHECK(p.profile_table[4000] == doctest::Approx(0.25).scale(1e-300).epsilon(1e-6));
+    CHECK(p.profile_table[4096 + 2000] == doctest::Approx(3).scale(1e-300).epsilon(1e-6));
     // A table that goes on above the shell is cut at its top.
     air.terms[2].profile = TabulatedProfile{{0, 9e6}, {3, 3}};
     CHECK(pack_atmosphere(air).block.tables.y == 100.0f);

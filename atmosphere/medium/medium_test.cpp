@@ -29,28 +29,28 @@ double density(const Profile& profile, double altitude_m) {
 }  // namespace
 
 TEST_CASE("sample_medium: exponential, tent and tabulated density") {
-    CHECK(density(ExponentialProfile{8000}, 0) == doctest::Approx(1).epsilon(1e-14));
-    CHECK(density(ExponentialProfile{8000}, 8000) == doctest::Approx(std::exp(-1.0)).epsilon(1e-14));
-    CHECK(density(ExponentialProfile{8000}, 1e5) == doctest::Approx(std::exp(-12.5)).epsilon(1e-12));
-    CHECK(density(TentProfile{25e3, 15e3}, 25e3) == doctest::Approx(1).epsilon(1e-14));
-    CHECK(density(TentProfile{25e3, 15e3}, 17.5e3) == doctest::Approx(0.5).epsilon(1e-12));
-    CHECK(density(TentProfile{25e3, 15e3}, 32.5e3) == doctest::Approx(0.5).epsilon(1e-12));
+    CHECK(density(ExponentialProfile{8000}, 0) == doctest::Approx(1).scale(1e-300).epsilon(1e-14));
+    CHECK(density(ExponentialProfile{8000}, 8000) == doctest::Approx(std::exp(-1.0)).scale(1e-300).epsilon(1e-14));
+    CHECK(density(ExponentialProfile{8000}, 1e5) == doctest::Approx(std::exp(-12.5)).scale(1e-300).epsilon(1e-12));
+    CHECK(density(TentProfile{25e3, 15e3}, 25e3) == doctest::Approx(1).scale(1e-300).epsilon(1e-14));
+    CHECK(density(TentProfile{25e3, 15e3}, 17.5e3) == doctest::Approx(0.5).scale(1e-300).epsilon(1e-12));
+    CHECK(density(TentProfile{25e3, 15e3}, 32.5e3) == doctest::Approx(0.5).scale(1e-300).epsilon(1e-12));
     CHECK(density(TentProfile{25e3, 15e3}, 9.9e3) == 0);
     CHECK(density(TentProfile{25e3, 15e3}, 40.1e3) == 0);
     const TabulatedProfile table{{1000, 2000, 6000}, {1, 3, 0.5}};
-    CHECK(density(table, 0) == doctest::Approx(1).epsilon(1e-12));
-    CHECK(density(table, 1500) == doctest::Approx(2).epsilon(1e-4));
-    CHECK(density(table, 4000) == doctest::Approx(1.75).epsilon(1e-4));
-    CHECK(density(table, 6010) == doctest::Approx(0.5).epsilon(1e-12));
-    CHECK(density(table, 50e3) == doctest::Approx(0.5).epsilon(1e-12));
+    CHECK(density(table, 0) == doctest::Approx(1).scale(1e-300).epsilon(1e-12));
+    CHECK(density(table, 1500) == doctest::Approx(2).scale(1e-300).epsilon(1e-4));
+    CHECK(density(table, 4000) == doctest::Approx(1.75).scale(1e-300).epsilon(1e-4));
+    CHECK(density(table, 6010) == doctest::Approx(0.5).scale(1e-300).epsilon(1e-12));
+    CHECK(density(table, 50e3) == doctest::Approx(0.5).scale(1e-300).epsilon(1e-12));
 }
 
 TEST_CASE("sample_medium: scattering, extinction, below the ground and above the top") {
     const AtmosphereParameters air = one_term(ExponentialProfile{8000});
     const MediumSample ground = sample_medium(air, 0);
     for (int c = 0; c < 3; ++c) {
-        CHECK(ground.scattering_per_m[c] == doctest::Approx(Rgb(1e-5, 2e-5, 0)[c]).epsilon(1e-14));
-        CHECK(ground.extinction_per_m[c] == doctest::Approx(Rgb(2e-5, 2e-5, 3e-5)[c]).epsilon(1e-14));
+        CHECK(ground.scattering_per_m[c] == doctest::Approx(Rgb(1e-5, 2e-5, 0)[c]).scale(1e-300).epsilon(1e-14));
+        CHECK(ground.extinction_per_m[c] == doctest::Approx(Rgb(2e-5, 2e-5, 3e-5)[c]).scale(1e-300).epsilon(1e-14));
         CHECK(sample_medium(air, -10).extinction_per_m[c] == ground.extinction_per_m[c]);
         CHECK(sample_medium(air, -1e9).scattering_per_m[c] == ground.scattering_per_m[c]);
     }
@@ -63,19 +63,21 @@ TEST_CASE("vertical_optical_depth: closed forms") {
     const auto depth = [](const Profile& profile) { return vertical_optical_depth(one_term(profile)).r / 2e-5; };
     for (const double height : {0.01, 1.0, 100.0, 8000.0, 1e5, 1e7, 1e12}) {
         CAPTURE(height);
-        CHECK(depth(ExponentialProfile{height}) == doctest::Approx(-height * std::expm1(-1e5 / height)).epsilon(1e-12));
+        CHECK(depth(ExponentialProfile{height}) ==
+              doctest::Approx(-height * std::expm1(-1e5 / height)).scale(1e-300).epsilon(1e-12));
     }
-    CHECK(depth(TentProfile{25e3, 15e3}) == doctest::Approx(15e3).epsilon(1e-12));
-    CHECK(depth(TentProfile{0, 10e3}) == doctest::Approx(5e3).epsilon(1e-12));    // half of it is below the ground
-    CHECK(depth(TentProfile{1e5, 10e3}) == doctest::Approx(5e3).epsilon(1e-12));  // half of it is above the top
-    CHECK(depth(TentProfile{-5e3, 10e3}) == doctest::Approx(1.25e3).epsilon(1e-12));
+    CHECK(depth(TentProfile{25e3, 15e3}) == doctest::Approx(15e3).scale(1e-300).epsilon(1e-12));
+    CHECK(depth(TentProfile{0, 10e3}) == doctest::Approx(5e3).scale(1e-300).epsilon(1e-12));  // half of it is below the ground
+    CHECK(depth(TentProfile{1e5, 10e3}) == doctest::Approx(5e3).scale(1e-300).epsilon(1e-12));  // half of it is above the top
+    CHECK(depth(TentProfile{-5e3, 10e3}) == doctest::Approx(1.25e3).scale(1e-300).epsilon(1e-12));
     CHECK(depth(TentProfile{2e5, 10e3}) == 0);
-    CHECK(depth(TabulatedProfile{{0, 1e5}, {1, 0}}) == doctest::Approx(5e4).epsilon(1e-10));
-    CHECK(depth(TabulatedProfile{{0, 5e3, 10e3}, {1, 1, 0}}) == doctest::Approx(7.5e3).epsilon(1e-10));
-    CHECK(depth(TabulatedProfile{{0, 5e3}, {1, 0.5}}) == doctest::Approx(0.75 * 5e3 + 0.5 * 95e3).epsilon(1e-10));
-    CHECK(depth(TabulatedProfile{{-2e3, -1e3}, {1, 2}}) == doctest::Approx(2e5).epsilon(1e-12));
+    CHECK(depth(TabulatedProfile{{0, 1e5}, {1, 0}}) == doctest::Approx(5e4).scale(1e-300).epsilon(1e-10));
+    CHECK(depth(TabulatedProfile{{0, 5e3, 10e3}, {1, 1, 0}}) == doctest::Approx(7.5e3).scale(1e-300).epsilon(1e-10));
+    CHECK(depth(TabulatedProfile{{0, 5e3}, {1, 0.5}}) == doctest::Approx(0.75 * 5e3 + 0.5 * 95e3).scale(1e-300).epsilon(1e-10));
+    CHECK(depth(TabulatedProfile{{-2e3, -1e3}, {1, 2}}) == doctest::Approx(2e5).scale(1e-300).epsilon(1e-12));
     // A layer 20 m thick at 80 km, where the kernels' texels lie 44 m apart.
-    CHECK(depth(TabulatedProfile{{0, 79990, 80000, 80010, 1e5}, {0, 0, 1, 0, 0}}) == doctest::Approx(10).epsilon(1e-9));
+    CHECK(depth(TabulatedProfile{{0, 79990, 80000, 80010, 1e5}, {0, 0, 1, 0, 0}}) ==
+          doctest::Approx(10).scale(1e-300).epsilon(1e-9));
 }
 
 TEST_CASE("vertical_optical_depth: by name; terms of one name add up; the same planet a thousand times smaller") {
@@ -83,11 +85,11 @@ TEST_CASE("vertical_optical_depth: by name; terms of one name add up; the same p
     const Rgb all = vertical_optical_depth(air);
     Rgb sum(0);
     for (const char* name : {"rayleigh", "mie", "ozone"}) sum += vertical_optical_depth(air, name);
-    for (int c = 0; c < 3; ++c) CHECK(sum[c] == doctest::Approx(all[c]).epsilon(1e-13));
+    for (int c = 0; c < 3; ++c) CHECK(sum[c] == doctest::Approx(all[c]).scale(1e-300).epsilon(1e-13));
 
     const Rgb mie = vertical_optical_depth(air, "mie");
     air.terms.push_back(air.terms[1]);
-    CHECK(vertical_optical_depth(air, "mie").g == doctest::Approx(2 * mie.g).epsilon(1e-13));
+    CHECK(vertical_optical_depth(air, "mie").g == doctest::Approx(2 * mie.g).scale(1e-300).epsilon(1e-13));
     CHECK(rejected_field([&] { (void)vertical_optical_depth(air, "Mie"); }) == "term");
     CHECK(rejected_field([&] { (void)vertical_optical_depth(presets::airless(), "mie"); }) == "term");
 
@@ -98,7 +100,8 @@ TEST_CASE("vertical_optical_depth: by name; terms of one name add up; the same p
         term.scattering_per_m *= 1000.0, term.absorption_per_m *= 1000.0;
     }
     for (int c = 0; c < 3; ++c)
-        CHECK(vertical_optical_depth(small)[c] == doctest::Approx(vertical_optical_depth(presets::mars())[c]).epsilon(1e-9));
+        CHECK(vertical_optical_depth(small)[c] ==
+              doctest::Approx(vertical_optical_depth(presets::mars())[c]).scale(1e-300).epsilon(1e-9));
 }
 
 TEST_CASE("medium: bad input") {
@@ -144,15 +147,16 @@ TEST_CASE("medium.glsl: float, from the block that devices get, agrees with doub
         const auto a = single.sample_medium(altitude);
         const auto b = exact.formulas().sample_medium(static_cast<double>(altitude));
         for (int c = 0; c < 3; ++c) {
-            CHECK(a.extinction[c] == doctest::Approx(b.extinction[c]).epsilon(1e-5));
+            CHECK(a.extinction[c] == doctest::Approx(b.extinction[c]).scale(1e-300).epsilon(1e-5));
             CHECK(a.extinction[c] == single.medium_extinction(altitude)[c]);
-            for (int p = 0; p < 4; ++p) CHECK(a.scattering[p][c] == doctest::Approx(b.scattering[p][c]).epsilon(1e-5));
+            for (int p = 0; p < 4; ++p)
+                CHECK(a.scattering[p][c] == doctest::Approx(b.scattering[p][c]).scale(1e-300).epsilon(1e-5));
         }
     }
     CHECK(counts.evaluations == 4 * 10);
     const auto ground = exact.formulas().sample_medium(0.0);
-    CHECK(ground.scattering[0].g == doctest::Approx(13.558e-3).epsilon(1e-12));
-    CHECK(ground.scattering[1].g == doctest::Approx(39.96e-3).epsilon(1e-12));
-    CHECK(ground.scattering[2].g == doctest::Approx(20e-3).epsilon(1e-6));
+    CHECK(ground.scattering[0].g == doctest::Approx(13.558e-3).scale(1e-300).epsilon(1e-12));
+    CHECK(ground.scattering[1].g == doctest::Approx(39.96e-3).scale(1e-300).epsilon(1e-12));
+    CHECK(ground.scattering[2].g == doctest::Approx(20e-3).scale(1e-300).epsilon(1e-6));
     CHECK(ground.scattering[3].g == 0);
 }

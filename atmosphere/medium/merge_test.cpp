@@ -69,8 +69,8 @@ TEST_CASE("merged terms: equal profiles are added up before anything is tabulate
     REQUIRE(merged.size() == 4);
     for (std::size_t i = 0; i < 4; ++i) {
         CHECK(merged[i].profile == Profile(ExponentialProfile{1000.0 * (1 + static_cast<double>(i))}));
-        CHECK(merged[i].absorption_per_m.g == doctest::Approx(10e-6).epsilon(1e-12));
-        CHECK(merged[i].scattering_per_m.b == doctest::Approx(i % 2 ? 40e-6 : 0).epsilon(1e-12));
+        CHECK(merged[i].absorption_per_m.g == doctest::Approx(10e-6).scale(1e-300).epsilon(1e-12));
+        CHECK(merged[i].scattering_per_m.b == doctest::Approx(i % 2 ? 40e-6 : 0).scale(1e-300).epsilon(1e-12));
     }
     CHECK(merged[1].phase == PhaseFunction(HenyeyGreensteinPhase{0.5}));
 }
@@ -86,13 +86,14 @@ TEST_CASE("merged terms: any number becomes few tables of the same air") {
             const MediumSample merged = sample_medium(air, h), parts = sample_in_parts(air, h);
             for (int c = 0; c < 3; ++c) {
                 CAPTURE(c);
-                CHECK(merged.scattering_per_m[c] == doctest::Approx(parts.scattering_per_m[c]).epsilon(1e-3));
-                CHECK(merged.extinction_per_m[c] == doctest::Approx(parts.extinction_per_m[c]).epsilon(1e-3));
+                CHECK(merged.scattering_per_m[c] == doctest::Approx(parts.scattering_per_m[c]).scale(1e-300).epsilon(1e-3));
+                CHECK(merged.extinction_per_m[c] == doctest::Approx(parts.extinction_per_m[c]).scale(1e-300).epsilon(1e-3));
             }
         }
         Rgb depth(0);
         for (const DensityTerm& term : air.terms) depth += vertical_optical_depth(air, term.name);
-        for (int c = 0; c < 3; ++c) CHECK(vertical_optical_depth(air)[c] == doctest::Approx(depth[c]).epsilon(1e-5));
+        for (int c = 0; c < 3; ++c)
+            CHECK(vertical_optical_depth(air)[c] == doctest::Approx(depth[c]).scale(1e-300).epsilon(1e-5));
     }
 }
 

@@ -134,7 +134,7 @@ TEST_CASE("srgb8 takes the nearest code on the sRGB scale") {
         float texel[4];
         const std::byte packed[4] = {std::byte(code), std::byte(0), std::byte(0), std::byte(code)};
         decode_texel(Format::rgba8_srgb, packed, texel);
-        CHECK(texel[0] == doctest::Approx(linear(code / 255.0)).epsilon(1e-6));
+        CHECK(texel[0] == doctest::Approx(linear(code / 255.0)).scale(1e-300).epsilon(1e-6));
         CHECK(texel[3] == static_cast<float>(code) / 255.0f);  // alpha is linear
         CHECK(byte(encoded(Format::rgba8_srgb, texel[0], 0.0f, 0.0f, 0.0f), 0) == code);
         CHECK(byte(encoded(Format::rgba8_srgb, linear((code + 0.499) / 255), 0.0, 0.0, 0.0), 0) == code);

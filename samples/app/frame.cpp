@@ -194,7 +194,8 @@ FrameRenderer::FrameRenderer(Backend& backend, const Scene& scene, const Land* l
         throw Error(ErrorCode::unsupported, "--raster: " + backend.describe() + " has no raster pipelines");
     check_size(options, backend.device().capabilities().max_texture_2d, rounds_ && !rounds_->averaged());
     if (rounds_)
-        traced_ = std::make_unique<Atmosphere>(backend.device(), scene.atmosphere, models::reference(rounds_->settings));
+        traced_ = std::make_unique<Atmosphere>(backend.device(), scene.atmosphere,
+                                               scene.model.in_its_colours(models::reference(rounds_->settings)));
     make_targets();
 }
 

@@ -28,10 +28,10 @@ std::optional<Rounds> rounds_of(const SceneModel& model, std::uint32_t width, st
 }
 
 ModelPtr metering_model(const SceneModel& model) {
-    if (model.name != traced || !model.in_rgb()) return model.make();  // which refuses wavelengths
+    if (model.name != traced) return model.make();
     models::ReferenceSettings settings = models::ReferenceSettings::by_name("low");
     settings.first_order_parts = 2;
-    return models::reference(settings);
+    return model.in_its_colours(models::reference(settings));
 }
 
 }  // namespace aureole::app

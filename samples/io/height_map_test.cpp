@@ -64,8 +64,8 @@ TEST_CASE("read_height_map: an archive that says where it is") {
     CHECK(map.height == 2);
     CHECK(map.meters == std::vector<float>{1, 2, 3, 4, 5, 6});
     // A degree of latitude is pi / 180 of Earth's mean radius, 6371.0088 km: 111.195 km; of longitude half that at 60 degrees.
-    CHECK(map.spacing_north_m == doctest::Approx(222.390).epsilon(1e-5));
-    CHECK(map.spacing_east_m == doctest::Approx(55.5975).epsilon(1e-5));
+    CHECK(map.spacing_north_m == doctest::Approx(222.390).scale(1e-300).epsilon(1e-5));
+    CHECK(map.spacing_east_m == doctest::Approx(55.5975).scale(1e-300).epsilon(1e-5));
     CHECK(read_height_map(file, ten_meters).spacing_east_m == 10);  // what the caller says goes first
 
     CHECK(contains(rejected(npz("pole.npz", {{"elevation", npy("(2, 2)", {1, 2, 3, 4})},
@@ -111,8 +111,8 @@ TEST_CASE("read_height_map: Matplotlib's sample grid, where it is installed") {
     CHECK(map.width == 403);
     CHECK(map.height == 344);
     // 3 arc seconds at 36.6 degrees north; the heights' range is the published one of the sample.
-    CHECK(map.spacing_north_m == doctest::Approx(92.66).epsilon(1e-3));
-    CHECK(map.spacing_east_m == doctest::Approx(92.66 * std::cos(36.59 * 3.14159265 / 180)).epsilon(1e-3));
+    CHECK(map.spacing_north_m == doctest::Approx(92.66).scale(1e-300).epsilon(1e-3));
+    CHECK(map.spacing_east_m == doctest::Approx(92.66 * std::cos(36.59 * 3.14159265 / 180)).scale(1e-300).epsilon(1e-3));
     const auto [low, high] = std::ranges::minmax(map.meters);
     CHECK(low == 236);
     CHECK(high == 1076);

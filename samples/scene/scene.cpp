@@ -156,9 +156,10 @@ Scene parse_scene(std::string_view text, const std::string& name) {
     return read_root(document.root(), {});
 }
 
-ModelPtr SceneModel::make() const {
-    const ModelPtr model = model_by_name(name, quality);
-    return in_rgb() ? model : models::spectral(model, {models::wavelengths_by_name(spectral)});
+ModelPtr SceneModel::make() const { return in_its_colours(model_by_name(name, quality)); }
+
+ModelPtr SceneModel::in_its_colours(ModelPtr model) const {
+    return in_rgb() ? std::move(model) : models::spectral(model, {models::wavelengths_by_name(spectral)});
 }
 
 std::string SceneModel::describe() const {

@@ -64,6 +64,8 @@ struct SceneModel {
     [[nodiscard]] bool in_rgb() const { return spectral == "rgb"; }
     /// Throws Error(invalid_argument) for a name that there is not, and for a number of wavelengths out of range.
     [[nodiscard]] ModelPtr make() const;
+    /// That model in these colours: as it is, or in the wavelengths. Throws Error(invalid_argument) for their number.
+    [[nodiscard]] ModelPtr in_its_colours(ModelPtr model) const;
     /// "model aureole, quality default", and ", 4 wavelengths" where it is not in RGB.
     [[nodiscard]] std::string describe() const;
 };

@@ -87,7 +87,7 @@ TEST_CASE("bruneton: ends of the axes") {
         CHECK(k.mu_row(altitude, -1, true, size.y) == doctest::Approx(last));
         CHECK(std::abs(k.mu_row(altitude, horizon - 1e-15, true, size.y)) < 1e-4);
         CHECK(k.mu_row(altitude, 1, false, size.y) == doctest::Approx(last + 1));
-        CHECK(k.mu_row(altitude, horizon, false, size.y) == doctest::Approx(size.y - 1).epsilon(1e-6));
+        CHECK(k.mu_row(altitude, horizon, false, size.y) == doctest::Approx(size.y - 1).scale(1e-300).epsilon(1e-6));
     }
     CHECK(k.sun_axis(1.0) == doctest::Approx(1));
     CHECK(k.sun_axis_mu(1.0) == doctest::Approx(1));
@@ -110,7 +110,7 @@ TEST_CASE("bruneton: a ray of the table is what the geometry says") {
             const bool horizon = y == 0;
             if (ray.ground && !horizon) {
                 CHECK(k.hits_ground(ray.altitude, ray.mu));
-                CHECK(ray.end == doctest::Approx(k.distance_to_ground(ray.altitude, ray.mu)).epsilon(1e-6));
+                CHECK(ray.end == doctest::Approx(k.distance_to_ground(ray.altitude, ray.mu)).scale(1e-300).epsilon(1e-6));
             }
             const double sines = std::sqrt((1 - ray.mu * ray.mu) * (1 - ray.mu_s * ray.mu_s));
             CHECK(std::abs(ray.nu - ray.mu * ray.mu_s) <= sines + 1e-12);

@@ -102,7 +102,7 @@ void compare(Backend& backend, const ModelPtr& inner, std::span<const double> el
 TEST_CASE("spectral: colours of a few wavelengths against those of forty") {
     const auto cpu = open_cpu_float();
     constexpr double elevations[] = {60, 5, 0, -4};
-    constexpr Mode modes[] = {{"rgb", 0, 20, 40}, {"3", 3, 2, 3}, {"4", 4, 0.25, 0.4}, {"6", 6, 0.2, 0.4}, {"12", 12, 0.8, 2}};
+    constexpr Mode modes[] = {{"rgb", 0, 22, 40}, {"3", 3, 2, 3}, {"4", 4, 0.25, 0.4}, {"6", 6, 0.2, 0.4}, {"12", 12, 0.8, 2}};
     compare(*cpu, models::aureole(), elevations, modes);
     constexpr double dusk[] = {60, -4};
     models::HillaireSettings settings;

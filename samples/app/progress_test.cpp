@@ -11,6 +11,9 @@ TEST_CASE("progress_line: bar, share, time and estimate") {
     CHECK(progress_line(0, 4, 0) == "[..............................]  0/4  0%  0 s");
     // 30 s for one of four steps: 90 s for the other three.
     CHECK(progress_line(1, 4, 30) == "[#######.......................]  1/4  25%  30 s, about 1 min 30 s left");
+    // One of four had been done before; one in 30 s: 60 s for the other two.
+    CHECK(contains(progress_line(2, 4, 30, 1), "2/4  50%  30 s, about 1 min 00 s left"));
+    CHECK(progress_line(1, 4, 30, 1) == "[#######.......................]  1/4  25%  30 s");
     CHECK(progress_line(4, 4, 7) == "[##############################]  4/4  100%  7 s");
 }
 

@@ -32,11 +32,17 @@ std::string progress_line(std::size_t done, std::size_t steps, double elapsed_s,
 
 Progress::Progress(std::size_t steps, std::FILE* out, bool terminal) : steps_(steps), out_(out), terminal_(terminal) {}
 
+void Progress::start_at(std::size_t done) {
+    done_ = before_ = done;
+    tenths_ = done * 10 / std::max<std::size_t>(steps_, 1);
+}
+
 void Progress::reach(std::size_t done) {
-    const std::size_t tenths_before = done_ * 10 / std::max<std::size_t>(steps_, 1);
     if (done == done_) return;
     done_ = done;
-    if (terminal_ || done_ == steps_ || done_ * 10 / std::max<std::size_t>(steps_, 1) > tenths_before) draw();
+    const std::size_t tenths = done * 10 / std::max<std::size_t>(steps_, 1);
+    if (terminal_ || done == steps_ || tenths > tenths_) draw();
+    tenths_ = std::max(tenths, tenths_);
 }
 
 void Progress::draw() const {

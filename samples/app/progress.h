@@ -16,11 +16,12 @@ public:
     /// So many steps are done, be they more or fewer than before.
     void reach(std::size_t done);
     /// So many had been done when the clock started: the estimate leaves them out. Before the first step.
-    void start_at(std::size_t done) { done_ = before_ = done; }
+    void start_at(std::size_t done);
 
 private:
     void draw() const;
     std::size_t steps_, done_ = 0, before_ = 0;
+    std::size_t tenths_ = 0;  // of the way, shown already
     std::FILE* out_;
     bool terminal_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -35,3 +35,16 @@ TEST_CASE("Progress: away from a terminal a line every tenth") {
     CHECK(contains(text, "50/50  100%"));
     CHECK_FALSE(contains(text, "\r"));
 }
+
+TEST_CASE("Progress: of work whose end is an estimate") {
+    std::FILE* file = std::fopen("share.txt", "w");
+    REQUIRE(file);
+    Progress progress(100, file, false);
+    progress.start_at(52);
+    for (const std::size_t done : {55, 61, 58, 62, 62, 70, 69, 70, 100}) progress.reach(done);
+    std::fclose(file);
+    const std::string text = get("share.txt");
+    CHECK(std::count(text.begin(), text.end(), '\n') == 3);  // 61, 70, 100: each tenth once, though it came twice
+    CHECK(contains(text, "61/100"));
+    CHECK(contains(text, "100/100"));
+}

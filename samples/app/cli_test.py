@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -192,6 +193,81 @@ def check_score(result):
     fails('column r is missing', 'score', truth, truth)
 
 
+def check_trace():
+    """A trace can be scored against, interrupted, and resumed to the same result."""
+    header = 'sun_zenith_deg,altitude_km,view_zenith_deg,azimuth_deg'
+    scene, grid = SCENES / 'truth_earth.toml', ['--sun-zenith', '60,92', '--altitude', '0.2', '--view-zenith', '30', '--azimuth', '0,90']
+    trace = ['trace', scene, *BACKEND, '--max-paths', 4096]
+    out = works(*trace, *grid, '--orders', 2, '-o', FOLDER / 'trace.csv')
+    expect('4 directions, 16384 paths' in out and ' %' in out and BACKEND[1] + ' on ' in out, f'trace says what it did: {out}')
+    comment, names, *rows = (FOLDER / 'trace.csv').read_text().splitlines()
+    for part in ('bottom_radius_km=6360 ', 'seed=0 ', 'target_rel=0.005 ', 'max_paths=4096;', 'spectral=rgb', 'orders=2', '1/sr'):
+        expect(part in comment, f'the comment of a trace holds {part}: {comment}')
+    names = names.split(',')
+    table = [dict(zip(names, map(float, row.split(',')))) for row in rows]
+    expect(len(table) == 4 and [row['azimuth_deg'] for row in table] == [0, 90, 0, 90], f'a grid has every combination: {table}')
+    for row in table:
+        for c in 'rgb':
+            all_, error = row[f'L_{c}_per_sr'], row[f'stderr_{c}_per_sr']
+            first, second = row[f'order1_{c}_per_sr'], row[f'order2_{c}_per_sr']
+            expect(0 < error < 0.1 * all_ and 0 < first + second < all_ and row['paths'] == 4096 and
+                   abs(row[f'L1_{c}_per_sr'] + row[f'Lground1_{c}_per_sr'] - first) < 1e-6 * first and
+                   0 < row[f'order2_stderr_{c}_per_sr'] < second and row[f'order1_stderr_{c}_per_sr'] == 0, f'trace wrote {row}')
+    works('probe', '--scene', scene, *BACKEND, '--directions', FOLDER / 'trace.csv', '-o', FOLDER / 'probe.csv')
+    works('score', FOLDER / 'probe.csv', FOLDER / 'trace.csv', '--by-ray', '--json', FOLDER / 'traced.json')
+    score = json.loads((FOLDER / 'traced.json').read_text())
+    expect(sum(s['rows'] for s in score) >= 2 and all(s['max'] < 0.1 for s in score), f'a trace is a truth to score against: {score}')
+    works(*trace, '--directions', FOLDER / 'trace.csv', '-o', FOLDER / 'again.csv', '--orders', 2)
+    expect((FOLDER / 'again.csv').read_text() == (FOLDER / 'trace.csv').read_text(), 'its own directions give the same trace')
+    works('trace', '--preset', 'mars', *BACKEND, *grid, '-o', FOLDER / 'mars.csv', '--error', 1, '--spectral', 3, '--seed', 9)
+
+    check_interrupted_trace(grid)
+    checkpoint = ['--checkpoint', FOLDER / 'run.json', '--resume']
+    fails('seed is 0 there and 1 here', *trace, *grid, '-o', FOLDER / 'x.csv', *checkpoint, '--seed', 1)
+    fails('bottom_radius_km is 6360 there and 3389.5 here', 'trace', '--preset', 'mars', *BACKEND, *grid, '-o', FOLDER / 'x.csv', *checkpoint)
+    fails('--checkpoint', *trace, *grid, '-o', FOLDER / 'x.csv', *checkpoint[:2])
+    fails('not a checkpoint', *trace, *grid, '-o', FOLDER / 'x.csv', '--resume', '--checkpoint', put('bad.json', '{}'))
+    fails('there is no such file', *trace, *grid, '-o', FOLDER / 'x.csv', '--resume', '--checkpoint', FOLDER / 'none.json')
+    to = ['-o', FOLDER / 'x.csv']
+    fails('--resume requires --checkpoint', *trace, *grid, *to, '--resume')
+    fails('SCENE', 'trace', *BACKEND, *grid, *to)
+    fails('--preset', 'trace', *BACKEND, *grid, *to, '--preset', 'venus')
+    fails('SCENE', 'trace', scene, '--preset', 'mars', *BACKEND, *grid, *to)
+    fails('--azimuth: nothing', *trace, *grid[:-2], *to)
+    fails('--directions', *trace, *grid, *to, '--directions', FOLDER / 'trace.csv')
+    fails('view_zenith_deg: 200', *trace, *to, '--sun-zenith', 60, '--altitude', 0, '--view-zenith', 200, '--azimuth', 0)
+    fails('f.csv:2: view_zenith_deg', *trace, *to, '--directions', put('f.csv', header + '\n1,2,300,4\n'))
+    for text in ('0', '-1%', 'small', '', '%', 'nan'):
+        fails('--error', *trace, *grid, *to, '--error=' + text)
+    fails('error: 2 is not allowed', *trace, *grid, *to, '--error', '200%')
+    fails('max_paths: 100', *trace[:-1], 100, *grid, *to)
+    fails('orders: 65', *trace, *grid, *to, '--orders', 65)
+    fails('seed: 4096', *trace, *grid, *to, '--seed', 4096)
+    fails('--spectral', *trace, *grid, *to, '--spectral', 2)
+    fails('there is no folder', *trace, *grid, '-o', FOLDER / 'none/x.csv')
+    fails('there is no folder', *trace, *grid, *to, '--checkpoint', FOLDER / 'none/x.json')
+
+
+def check_interrupted_trace(grid):
+    trace = ['trace', SCENES / 'truth_earth.toml', *BACKEND, *grid, '--error', '0.01%', '-o']
+    most = ['--max-paths', '40960']
+    works(*trace, FOLDER / 'whole.csv', *most)
+    run_file = FOLDER / 'run.json'
+    again = [*map(str, trace), str(FOLDER / 'pieces.csv'), '--checkpoint', str(run_file)]
+    program = subprocess.Popen([AUREOLE, *again, *most], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    program.stderr.readline()  # a tenth is done
+    program.send_signal(signal.SIGINT)
+    said = program.communicate(timeout=240)[1]
+    expect(program.returncode == 2 and 'aureole: interrupted with ' in said and '--resume goes on' in said,
+           f'an interrupted trace says so: {program.returncode} {said}')
+    expect(run_file.exists() and not (FOLDER / 'pieces.csv').exists(), 'an interrupted trace leaves its checkpoint alone')
+    expect(not list(FOLDER.glob('.*.part')), 'an interrupted trace leaves nothing half-written')
+    works(*again, '--resume', *most)
+    expect((FOLDER / 'pieces.csv').read_text() == (FOLDER / 'whole.csv').read_text(), 'interrupted and resumed is the same')
+    works(*again, '--resume', '--max-paths', 45056)
+    expect((FOLDER / 'pieces.csv').read_text().splitlines()[2].endswith(',45056'), 'resumed with more paths goes further')
+
+
 def check_bench_and_devices():
     out = works('bench', *BACKEND, '--size', '32x16', '--frames', 1, '--json', FOLDER / 'bench.json')
     known = models()
@@ -221,11 +297,11 @@ def check_bench_and_devices():
 
 
 def check_help():
-    for command in ([], ['render'], ['probe'], ['score'], ['bench'], ['devices']):
+    for command in ([], ['render'], ['probe'], ['score'], ['trace'], ['bench'], ['devices']):
         out = works(*command, '--help')
         expect(len(out.splitlines()) > 3, f'help of {command}')
     fails('ubcommand', )
-    fails('COMMAND: "frobnicate" is not allowed; allowed: render, probe, score, bench, devices', '--verbose', 'frobnicate')
+    fails('COMMAND: "frobnicate" is not allowed; allowed: render, probe, score, trace, bench, devices', '--verbose', 'frobnicate')
     version = works('--version')
     expect(version.startswith('aureole ') and version.split()[1][0].isdigit(), f'version: {version}')
 
@@ -243,6 +319,7 @@ check_render_faults()
 check_options_of_another_backend()
 check_interrupted_sequence()
 check_score(check_probe())
+check_trace()
 check_bench_and_devices()
 print('\n'.join(failures) if failures else 'the command line keeps its word')
 sys.exit(1 if failures else 0)

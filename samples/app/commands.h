@@ -12,10 +12,11 @@ namespace aureole::app {
 void add_render_command(CLI::App& program);
 void add_probe_command(CLI::App& program);
 void add_score_command(CLI::App& program);
+void add_trace_command(CLI::App& program);
 void add_bench_command(CLI::App& program);
 void add_devices_command(CLI::App& program);
 
-/// --backend, --device, --validation, --threads.
+/// --backend (by default what `options` holds), --device, --validation, --threads.
 void add_backend_options(CLI::App& command, BackendOptions& options);
 /// What the scene says is replaced by what was asked for.
 struct ModelOptions {

@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
     spdlog::set_level(spdlog::level::warn);
     aureole::set_log(spdlog::default_logger());
 
-    CLI::App program("Real-time planetary atmospheres: render scenes, probe radiances, measure costs.");
+    CLI::App program("Real-time planetary atmospheres: render scenes, probe radiances, trace the truth, measure costs.");
     program.footer("Models (--model of render, probe and bench):\n" + aureole::app::list_models("  ") +
                    "\n\nExit code: 0, or 2 with one line on stderr. Files appear complete or not at all.\n"
                    "Run `aureole COMMAND --help` for a command's options.");
@@ -55,6 +55,7 @@ int main(int argc, char** argv) {
     aureole::app::add_render_command(program);
     aureole::app::add_probe_command(program);
     aureole::app::add_score_command(program);
+    aureole::app::add_trace_command(program);
     aureole::app::add_bench_command(program);
     aureole::app::add_devices_command(program);
     try {

@@ -11,7 +11,7 @@ void add_backend_options(CLI::App& command, BackendOptions& options) {
                     "Where to run: vulkan; cpu (float, as a GPU); cpu-double (the reference); auto: vulkan where there is a "
                     "device, else cpu")
         ->check(CLI::IsMember({"auto", "vulkan", "cpu", "cpu-double"}))
-        ->default_str("auto");
+        ->default_str(options.name);
     command.add_option("--device", options.device, "Vulkan: part of the device's name, as `aureole devices` shows it");
     command.add_flag("--validation", options.validation,
                      "Vulkan: run under the validation layer; what it reports makes the command fail");

@@ -7,6 +7,7 @@
 #include <aureole/atmosphere.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -16,12 +17,6 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr std::uint32_t texture_width = 64;
-
-/// The sun is in the plane of +x and up (+z).
-glm::dvec3 direction(double zenith_deg, double azimuth_deg) {
-    const double z = zenith_deg * degree, a = azimuth_deg * degree;
-    return {std::sin(z) * std::cos(a), std::sin(z) * std::sin(a), std::cos(z)};
-}
 
 /// Indices of the rows that share sun and altitude.
 using Groups = std::map<std::pair<double, double>, std::vector<std::size_t>>;
@@ -45,7 +40,7 @@ public:
     void look(std::span<const ProbeRow> rows, std::span<const std::size_t> group) {
         for (std::size_t i = 0; i < texels_.size() / 4; ++i) {
             glm::dvec3 d(0, 0, 1);
-            if (i < group.size()) d = direction(rows[group[i]].view_zenith_deg, rows[group[i]].azimuth_deg);
+            if (i < group.size()) d = probe_direction(rows[group[i]].view_zenith_deg, rows[group[i]].azimuth_deg);
             for (int c = 0; c < 3; ++c) texels_[4 * i + static_cast<std::size_t>(c)] = static_cast<float>(d[c]);
         }
         textures_.upload(targets_.directions, std::as_bytes(std::span(texels_)),
@@ -66,6 +61,11 @@ private:
 
 }  // namespace
 
+glm::dvec3 probe_direction(double zenith_deg, double azimuth_deg) {
+    const double z = zenith_deg * degree, a = azimuth_deg * degree;
+    return {std::sin(z) * std::cos(a), std::sin(z) * std::sin(a), std::cos(z)};
+}
+
 void check_row(const ProbeRow& row, const std::string& place) {
     const auto check = [&](const char* field, double value, double low, double high) {
         if (!(value >= low && value <= high))
@@ -76,6 +76,17 @@ void check_row(const ProbeRow& row, const std::string& place) {
     check("altitude_km", row.altitude_km, -10, 1e9);
     check("view_zenith_deg", row.view_zenith_deg, 0, 180);
     check("azimuth_deg", row.azimuth_deg, -360, 360);
+}
+
+std::vector<ProbeRow> read_probe_rows(const std::filesystem::path& path) {
+    constexpr std::array<std::string_view, 4> columns{"sun_zenith_deg", "altitude_km", "view_zenith_deg", "azimuth_deg"};
+    const CsvTable table = read_csv(path, columns);
+    std::vector<ProbeRow> rows;
+    for (std::size_t i = 0; i < table.rows(); ++i) {
+        rows.push_back({table.columns[0][i], table.columns[1][i], table.columns[2][i], table.columns[3][i]});
+        check_row(rows.back(), path.string() + ":" + std::to_string(table.lines[i]));
+    }
+    return rows;
 }
 
 std::vector<Rgb> probe(Backend& backend, const AtmosphereParameters& parameters, const ModelPtr& model,
@@ -105,7 +116,7 @@ std::vector<Rgb> probe(Backend& backend, const AtmosphereParameters& parameters,
     std::vector<Rgb> radiance(rows.size());
     for (const auto& [place, group] : groups) {
         Sun sun;
-        sun.direction = direction(place.first, 0);
+        sun.direction = probe_direction(place.first, 0);
         view.update(look(radius, place.second * 1000, 0, 0, 1, 1), {&sun, 1});
         target.look(rows, group);
         backend.run([&](rhi::CommandList& commands) {

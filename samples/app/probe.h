@@ -6,6 +6,7 @@
 #include <aureole/model.h>
 #include <aureole/parameters.h>
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,6 +23,12 @@ struct ProbeRow {
 
 /// Throws Error(invalid_argument) for a value outside its range; `place` says where the row stands: "in.csv:12".
 void check_row(const ProbeRow& row, const std::string& place);
+
+/// Rows of a file with the columns sun_zenith_deg, altitude_km, view_zenith_deg, azimuth_deg. Throws Error: io,
+/// invalid_argument with file and line.
+[[nodiscard]] std::vector<ProbeRow> read_probe_rows(const std::filesystem::path& path);
+/// Unit vector where +z is up and the sun's azimuth is that of +x.
+[[nodiscard]] glm::dvec3 probe_direction(double zenith_deg, double azimuth_deg);
 
 /// Radiance of each row per unit of solar irradiance, in 1/sr, without the sun's disk; light reflected by the ground is part of
 /// it. Rows of the same sun and altitude share one update of the view. Throws Error(invalid_argument) naming the row (from 1).

@@ -4,14 +4,11 @@
 #include "io/file.h"
 #include "scene/scene.h"
 
-#include <array>
 #include <cstdio>
 #include <memory>
 
 namespace aureole::app {
 namespace {
-
-constexpr std::array<std::string_view, 4> input_columns{"sun_zenith_deg", "altitude_km", "view_zenith_deg", "azimuth_deg"};
 
 struct ProbeOptions {
     std::filesystem::path scene, directions, output;
@@ -19,20 +16,10 @@ struct ProbeOptions {
     BackendOptions backend;
 };
 
-std::vector<ProbeRow> read_rows(const std::filesystem::path& path) {
-    const CsvTable table = read_csv(path, input_columns);
-    std::vector<ProbeRow> rows;
-    for (std::size_t i = 0; i < table.rows(); ++i) {
-        rows.push_back({table.columns[0][i], table.columns[1][i], table.columns[2][i], table.columns[3][i]});
-        check_row(rows.back(), path.string() + ":" + std::to_string(table.lines[i]));
-    }
-    return rows;
-}
-
 void run_probe(const ProbeOptions& options) {
     const Scene scene = read_scene(options.scene);
     const SceneModel model = options.model.of(scene.model);
-    const std::vector<ProbeRow> rows = read_rows(options.directions);
+    const std::vector<ProbeRow> rows = read_probe_rows(options.directions);
     { const NewFile writable(options.output); }
     const std::unique_ptr<Backend> backend = open_backend(options.backend);
     const std::vector<Rgb> radiance = probe(*backend, scene.atmosphere, model.make(), rows);

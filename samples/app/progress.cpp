@@ -16,7 +16,7 @@ std::string print_duration(double seconds) {
     return text;
 }
 
-std::string progress_line(std::size_t done, std::size_t steps, double elapsed_s) {
+std::string progress_line(std::size_t done, std::size_t steps, double elapsed_s, std::size_t before) {
     constexpr std::size_t width = 30;
     const std::size_t total = std::max<std::size_t>(steps, 1);
     const std::size_t filled = std::min(done, total) * width / total;
@@ -24,23 +24,30 @@ std::string progress_line(std::size_t done, std::size_t steps, double elapsed_s)
     line.append(filled, '#').append(width - filled, '.').append("]  ");
     line += std::to_string(done) + "/" + std::to_string(steps) + "  " + std::to_string(100 * done / total) + "%  ";
     line += print_duration(elapsed_s);
-    if (done > 0 && done < steps)
-        line +=
-            ", about " + print_duration(elapsed_s / static_cast<double>(done) * static_cast<double>(steps - done)) + " left";
+    if (done > before && done < steps)
+        line += ", about " +
+                print_duration(elapsed_s / static_cast<double>(done - before) * static_cast<double>(steps - done)) + " left";
     return line;
 }
 
 Progress::Progress(std::size_t steps, std::FILE* out, bool terminal) : steps_(steps), out_(out), terminal_(terminal) {}
 
-void Progress::step() {
-    const std::size_t tenths_before = done_ * 10 / std::max<std::size_t>(steps_, 1);
-    ++done_;
-    if (terminal_ || done_ == steps_ || done_ * 10 / std::max<std::size_t>(steps_, 1) != tenths_before) draw();
+void Progress::start_at(std::size_t done) {
+    done_ = before_ = done;
+    tenths_ = done * 10 / std::max<std::size_t>(steps_, 1);
+}
+
+void Progress::reach(std::size_t done) {
+    if (done == done_) return;
+    done_ = done;
+    const std::size_t tenths = done * 10 / std::max<std::size_t>(steps_, 1);
+    if (terminal_ || done == steps_ || tenths > tenths_) draw();
+    tenths_ = std::max(tenths, tenths_);
 }
 
 void Progress::draw() const {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-    const std::string line = progress_line(done_, steps_, elapsed.count());
+    const std::string line = progress_line(done_, steps_, elapsed.count(), before_);
     if (terminal_)
         std::fprintf(out_, "\r%s\x1b[K%s", line.c_str(), done_ == steps_ ? "\n" : "");
     else

@@ -111,4 +111,9 @@ CsvTable read_csv(const std::filesystem::path& path, std::span<const std::string
 std::string print_number(double value) { return print(value); }
 std::string print_number(float value) { return print(value); }
 
+std::string print_number(double value, int digits) {
+    char text[64];
+    return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr};
+}
+
 }  // namespace aureole::app

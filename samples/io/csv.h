@@ -28,5 +28,7 @@ struct CsvTable {
 /// Shortest text that reads back as the same number.
 [[nodiscard]] std::string print_number(double value);
 [[nodiscard]] std::string print_number(float value);
+/// With so many significant digits at most.
+[[nodiscard]] std::string print_number(double value, int digits);
 
 }  // namespace aureole::app

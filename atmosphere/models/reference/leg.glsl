@@ -34,7 +34,8 @@ real rising_column(real altitude, real mu, real height) {
     real r = bottom_radius() + altitude;
     real c = height * (2 * r + height);
     real scale = c / (r * mu + sqrt(r * mu * (r * mu) + c));
-    return exp(-altitude / height) * scale * (real(0.886) + real(0.114) * min(scale * mu / height, real(1)));
+    real column = scale * (real(0.886) + real(0.114) * min(scale * mu / height, real(1)));
+    return exp(-altitude / height) * min(column, distance_to_top(altitude, mu));  // air that is nearly even ends at the top
 }
 vec3 rough_sun_depth(real altitude, real mu) {
     real sine = sqrt(max((1 - mu) * (1 + mu), real(0)));
@@ -108,21 +109,40 @@ Leg leg_to_end(Walk walk, bool lights, int only) {
 // Share of light that scatters or is absorbed on the leg, by the stand-in.
 vec3 caught_share(Leg leg) { return leg.depth * mean_transmittance(leg.depth); }
 
+// How far a quantity that begins as `here` and changes by `slope` a unit of length must be followed until it adds up to `wanted`.
+real reach(real here, real slope, real wanted) {
+    real root = sqrt(max(here * here + 2 * slope * wanted, real(0)));
+    return 2 * wanted / max(here + root, real(1e-37));
+}
+// Density of meeting the air at a place s of a cell, 1/km: of all channels by their shares.
+real caught_density(Leg leg, int k, real s, vec3 before, vec3 share, vec3 caught) {
+    vec3 here = leg.extinction[k];
+    vec3 slope = (leg.extinction[k + 1] - here) / max(leg.at[k + 1] - leg.at[k], real(1e-20));
+    vec3 extinction = max(here + s * slope, vec3(real(0)));
+    vec3 depth = before + s * (here + (real(0.5) * s) * slope);
+    vec3 drawn = share * extinction * exp(-depth) / max(caught, vec3(real(1e-30)));
+    return drawn.x + drawn.y + drawn.z;
+}
+// A channel by its share.
+int draw_channel(vec3 share, real pick) {
+    int channel = pick < share.x ? 0 : (pick < share.x + share.y ? 1 : 2);
+    if (share[channel] <= 0) channel = share.y > 0 ? 1 : (share.x > 0 ? 0 : 2);  // a pick on the edge of nothing
+    return channel;
+}
+
 struct Place {
     real t;        // distance from the leg's start
     real density;  // of this draw, 1/km; 0: none was possible
 };
 // Draws a place where light of these weights meets the air: a channel by what it has to lose, then its optical depth, inverted. The
 // density is that of all channels together.
-Place draw_place(Leg leg, vec3 weight, real pick, real u) {
+Place draw_place(Leg leg, vec3 weight, real even_share, real pick, real u) {
     vec3 caught = caught_share(leg);
     vec3 share = weight * caught;
     real sum = share.x + share.y + share.z;
-    bool even = pick < EVEN_SHARE || !(sum > 0);
+    bool even = pick < even_share || !(sum > 0);
     share = share / max(sum, real(1e-30));
-    real p = (pick - EVEN_SHARE) / (1 - EVEN_SHARE);
-    int channel = p < share.x ? 0 : (p < share.x + share.y ? 1 : 2);
-    if (share[channel] <= 0) channel = share.y > 0 ? 1 : (share.x > 0 ? 0 : 2);  // a pick on the edge of nothing
+    int channel = draw_channel(share, (pick - even_share) / (1 - even_share));
     real wanted = -log(max(1 - u * caught[channel], real(1e-30)));
     int cell = even ? min(int(u * real(LEG_CELLS)), LEG_CELLS - 1) : LEG_CELLS - 1;
 
@@ -134,20 +154,15 @@ Place draw_place(Leg leg, vec3 weight, real pick, real u) {
     int k = 0;
     do {
         real width = leg.at[k + 1] - leg.at[k];
-        vec3 here = leg.extinction[k];
-        vec3 slope = (leg.extinction[k + 1] - here) / max(width, real(1e-20));
-        vec3 after = before + (real(0.5) * width) * (here + leg.extinction[k + 1]);
+        vec3 after = before + (real(0.5) * width) * (leg.extinction[k] + leg.extinction[k + 1]);
         if (!found && (k == cell || (!even && after[channel] >= wanted))) {
             found = true;
+            real slope = (leg.extinction[k + 1][channel] - leg.extinction[k][channel]) / max(width, real(1e-20));
             real rest = max(wanted - before[channel], real(0));
-            real root = sqrt(max(here[channel] * here[channel] + 2 * slope[channel] * rest, real(0)));
-            real s = even ? width * fract(u * real(LEG_CELLS)) : min(2 * rest / max(here[channel] + root, real(1e-30)), width);
+            real s = even ? width * fract(u * real(LEG_CELLS)) : min(reach(leg.extinction[k][channel], slope, rest), width);
             place.t = leg.at[k] + s;
-            vec3 extinction = max(here + s * slope, vec3(real(0)));
-            vec3 depth = before + s * (here + (real(0.5) * s) * slope);
-            vec3 drawn = share * extinction * exp(-depth) / max(caught, vec3(real(1e-30)));
             real evenly = width > 0 ? 1 / (real(LEG_CELLS) * width) : real(0);
-            place.density = sum > 0 ? mix(drawn.x + drawn.y + drawn.z, evenly, EVEN_SHARE) : evenly;
+            place.density = sum > 0 ? mix(caught_density(leg, k, s, before, share, caught), evenly, even_share) : evenly;
         }
         before = after;
         ++k;
@@ -176,33 +191,49 @@ LegLight light_of(Leg leg, vec3 weight) {
     } while (k < LEG_CELLS);
     return light;
 }
-// Draws a place to take light from: a cell by its trapezium, and in it by the straight line between its ends.
-Place draw_lit_place(Leg leg, LegLight light, real pick, real u) {
-    bool even = pick < EVEN_SHARE || !(light.whole > 0);
-    real wanted = u * light.whole;
+// Draws a place to take light from: a cell by its trapezium, and in it by the straight line between its ends; up to one time in
+// four as the path meets the air, the more the thicker cells are: there light ends long before the next cell does.
+CONST(real, AIR_SHARE, real(0.25))
+Place draw_lit_place(Leg leg, LegLight light, vec3 weight, real pick, real u) {
+    vec3 caught = caught_share(leg);
+    vec3 share = weight * caught;
+    real sum = share.x + share.y + share.z;
+    share = share / max(sum, real(1e-30));
+    bool lit = light.whole > 0;
+    real cell_depth = max(leg.depth.x, max(leg.depth.y, leg.depth.z)) / real(LEG_CELLS);
+    real air_share = sum > 0 ? (lit ? AIR_SHARE * (1 - exp(-cell_depth)) : real(1)) : real(0);
+    bool even = pick < EVEN_SHARE || !(lit || sum > 0);
+    real p = (pick - EVEN_SHARE) / (1 - EVEN_SHARE);
+    bool by_air = p < air_share;
+    int channel = draw_channel(share, p / max(air_share, real(1e-20)));
+    real wanted = by_air ? -log(max(1 - u * caught[channel], real(1e-30))) : u * light.whole;
     int cell = even ? min(int(u * real(LEG_CELLS)), LEG_CELLS - 1) : LEG_CELLS - 1;
     Place place;
     place.t = leg.end;
     place.density = real(0);
     bool found = false;
+    vec3 depth = vec3(real(0));
     real before = real(0);
     int k = 0;
     do {
         real width = leg.at[k + 1] - leg.at[k];
-        real here = light.at[k];
-        real next = light.at[k + 1];
+        // What adds up to what is wanted: the channel's extinction, or light.
+        real here = by_air ? leg.extinction[k][channel] : light.at[k];
+        real next = by_air ? leg.extinction[k + 1][channel] : light.at[k + 1];
         real after = before + real(0.5) * width * (here + next);
         if (!found && (k == cell || (!even && after >= wanted))) {
             found = true;
             // A share x of the cell holds here x + (next - here) x^2 / 2 of it.
             real rest = max(wanted - before, real(0)) / max(width, real(1e-20));
-            real root = sqrt(max(here * here + 2 * (next - here) * rest, real(0)));
-            real x = even ? fract(u * real(LEG_CELLS)) : min(2 * rest / max(here + root, real(1e-37)), real(1));
+            real x = even ? fract(u * real(LEG_CELLS)) : min(reach(here, next - here, rest), real(1));
             place.t = leg.at[k] + x * width;
             real evenly = width > 0 ? 1 / (real(LEG_CELLS) * width) : real(0);
-            place.density = light.whole > 0 ? mix(mix(here, next, x) / light.whole, evenly, EVEN_SHARE) : evenly;
+            real drawn = air_share > 0 ? air_share * caught_density(leg, k, x * width, depth, share, caught) : real(0);
+            if (lit) drawn += (1 - air_share) * mix(light.at[k], light.at[k + 1], x) / light.whole;
+            place.density = lit || sum > 0 ? mix(drawn, evenly, EVEN_SHARE) : evenly;
         }
         before = after;
+        depth += (real(0.5) * width) * (leg.extinction[k] + leg.extinction[k + 1]);
         ++k;
     } while (k < LEG_CELLS);
     return place;

@@ -86,7 +86,7 @@ vec3 light_on_leg(Walk walk, Leg leg, vec3 weight, vec4 random, int only) {
     real ground = leg.ground ? rough_ground_light(walk, leg, weight, only) : real(0);
     real share = ground > 0 ? (TERM_COUNT == 0 ? real(1) : clamp(ground / (ground + light.whole), real(0.05), real(0.95))) : real(0);
     bool on_ground = random.x < share;
-    Place place = draw_lit_place(leg, light, random.y, random.z);
+    Place place = draw_lit_place(leg, light, weight, random.y, random.z);
     real density = on_ground ? share : place.density * (1 - share);
     return density > 0 ? light_from(walk, on_ground ? leg.end : place.t, on_ground, weight / density, only) : vec3(real(0));
 }
@@ -223,25 +223,29 @@ vec3 path_radiance(Walk walk, Leg leg, int only, uint x, uint y, uint path) {
     vec3 weight = vec3(real(1));
     uint draw = uint(SEED) * 2654435769u;
     int limit = MAX_ORDER > 0 ? MAX_ORDER : LAST_ORDER;
+    real kept = real(0);  // weight that roulette keeps up
     for (int order = 1; order <= limit; ++order) {
         vec4 where = random_numbers(x, y, path, draw);
         vec4 whither = random_numbers(x, y, path, draw + 1u);
         vec4 light = random_numbers(x, y, path, draw + 2u);
         draw += 3u;
         if (order > 1 || FIRST_ORDER_SAMPLED) radiance += light_on_leg(walk, leg, weight, light, only);
-        real before = largest(weight);
+        if (order <= ROULETTE_ORDER) kept = largest(weight);
 
         // The ground, or the air before it, by what the stand-in says of their shares.
         real reflected = dot(weight * exp(-leg.depth), vec3(atm.ground_albedo));
         real caught = dot(weight, caught_share(leg));
+        // What is drawn against all odds is drawn ever more rarely: in air where light goes a long way the others' weight, which makes up
+        // for it, would grow without end.
+        real least = real(0.02) / real(order);
         bool reflects = leg.ground && largest(vec3(atm.ground_albedo)) > 0;
         real ground_share = !reflects ? real(0)
-                            : (TERM_COUNT == 0 ? real(1) : clamp(reflected / max(reflected + caught, real(1e-30)), real(0.02), real(0.95)));
+                            : (TERM_COUNT == 0 ? real(1) : clamp(reflected / max(reflected + caught, real(1e-30)), least, real(0.95)));
         bool on_ground = where.x < ground_share;
         Place place;
         place.t = leg.end;
         place.density = real(1);
-        if (!on_ground) place = draw_place(leg, weight, where.y, where.z);
+        if (!on_ground) place = draw_place(leg, weight, EVEN_SHARE / real(order), where.y, where.z);
         weight *= exp(-optical_depth_along(walk.altitude, walk.mu, place.t)) / (on_ground ? ground_share : 1 - ground_share);
         weight = place.density > 0 ? weight / place.density : vec3(real(0));
         walk = walk_on(walk, place.t, on_ground);
@@ -251,7 +255,7 @@ vec3 path_radiance(Walk walk, Leg leg, int only, uint x, uint y, uint path) {
 
         // Roulette: from some order on what is left of the weight is the chance to go on, and survivors make up for the others.
         if (order >= ROULETTE_ORDER) {
-            real chance = clamp(largest(weight) / max(before, real(1e-30)), real(0.05), real(1));
+            real chance = clamp(largest(weight) / max(kept, real(1e-30)), real(0.05), real(1));
             weight = where.w < chance ? weight / chance : vec3(real(0));
         }
         if (!(largest(weight) > 0) || order == limit) break;

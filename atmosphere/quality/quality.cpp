@@ -74,7 +74,7 @@ QualitySettings QualitySettings::high() {
     s.transmittance = {256, 64, 1};
     s.multi_scatter = {40, 16, 1};
     s.angular_order = 8;
-    s.multi_scatter_zenith = 8;
+    s.multi_scatter_zenith = 10;
     s.multi_scatter_azimuth = 5;
     s.multi_scatter_nodes = 12;
     s.multi_scatter_later_nodes = 6;

@@ -5,8 +5,8 @@
 //     view.set_shadow_map({.texture = map, .world_to_map = {near_cascade, far_cascade}});  // each frame that it is drawn anew
 //     view.update(camera, suns);
 //
-// Single scattering is shadowed, and the sun's beam on the bare ground that the library draws; light that has been scattered more
-// often comes from all around and is left as it is. A value out of range is Error(invalid_argument).
+// Single scattering is shadowed, and the sun's beam on the bare ground that the library draws; light that has been scattered
+// more often comes from all around and is left as it is. A value out of range is Error(invalid_argument).
 #pragma once
 
 #include <aureole/rhi/types.h>

@@ -15,8 +15,8 @@ struct FogSettings {
     /// Where a ray that meets nothing ends.
     enum class Sky : std::uint8_t {
         top_of_air,  ///< Planet::top_radius_m.
-        infinity,    ///< Nowhere: the sky is the fog's own colour, and neither sun nor stars come through. For a camera above the
-                     ///< air: as top_of_air.
+        infinity,  ///< Nowhere: the sky is the fog's own colour, and neither sun nor stars come through. For a camera above the
+                   ///< air: as top_of_air.
     };
     Mode mode = Mode::in_scatter;
     Sky sky = Sky::top_of_air;

@@ -2,6 +2,8 @@
 
 #include "common/check.h"
 
+#include "aureole_atmosphere_shaders.h"
+
 #include <algorithm>
 
 namespace aureole::detail {
@@ -11,6 +13,11 @@ namespace {
 bool same_targets(const CompositeTargets& a, const CompositeTargets& b) noexcept {
     return a.scene_color == b.scene_color && a.scene_depth == b.scene_depth && a.target == b.target &&
            a.directions == b.directions && a.extent == b.extent;
+}
+
+/// Where tables of light are sums, what shadows take from the ground is found at each triplet beforehand.
+std::size_t ground_runs_of(const ModelKernels& kernels, const ShadowPass& shadows) {
+    return shadows.enabled() && kernels.triplets.empty() ? kernels.shadow_triplets.size() : 0;
 }
 
 }  // namespace
@@ -26,12 +33,20 @@ void validate(const CompositeSettings& settings) {
 
 CompositePass::CompositePass(ViewResources& shared, const ModelKernels& kernels, const ShadowPass& shadows,
                              const CompositeSettings& settings)
-    : shared_(shared), kernels_(kernels), shadows_(shadows), settings_(settings), runs_(runs_of(shared, kernels)) {
+    : shared_(shared),
+      kernels_(kernels),
+      shadows_(shadows),
+      settings_(settings),
+      ground_runs_(ground_runs_of(kernels, shadows)),
+      runs_(runs_of(shared, kernels)) {
+    runs_.insert(runs_.begin(), kernels.shadow_triplets.begin(),
+                 kernels.shadow_triplets.begin() + static_cast<std::ptrdiff_t>(ground_runs_));
     prepared_.reserve(max_prepared + 1);
     make_pipelines(false);
 }
 
 const rhi::Shader& CompositePass::shader(std::size_t run) const noexcept {
+    if (run < ground_runs_) return shaders::ground_loss;
     const ModelKernels& kernels = *runs_[run].kernels;
     return draws(run) ? *kernels.composite_raster : *kernels.composite;
 }
@@ -42,7 +57,8 @@ void CompositePass::make_pipelines(bool given_directions) {
         std::vector<rhi::Pipeline>& pipelines = pair[from_space ? 1 : 0];
         if (!pipelines.empty() || (from_space && kernels_.space_constant == 0)) continue;
         for (std::size_t run = 0; run < runs_.size(); ++run) {
-            const Specialize values = specialization(runs_[run], given_directions, from_space);
+            Specialize values = specialization(runs_[run], given_directions, from_space);
+            values.set(53, run == ground_runs_ && run > 0);
             pipelines.push_back(draws(run) ? shared_.objects.raster(shader(run), values.values(), settings_.target_format)
                                            : shared_.objects.compute(shader(run), values.values()));
         }
@@ -115,7 +131,7 @@ rhi::BindingSet CompositePass::bind(const Prepared& prepared, std::size_t run, r
     const auto sum = [&](std::size_t after) { return prepared.sums[after % prepared.sums.size()].handle; };
     // Slots that the settings leave unread still need a readable texture.
     const auto or_blank = [&](rhi::Texture texture) { return texture ? texture : air.profile_table.handle; };
-    std::vector<rhi::Binding> slots = runs_[run].kernels->tables;
+    std::vector<rhi::Binding> slots = tables(run);
     slots.insert(slots.end(), {{0, {}, {}, air.block.handle},
                                {1, {}, {}, shared.block.handle},
                                {5, or_blank(targets.scene_color), air.nearest, {}},
@@ -131,6 +147,12 @@ rhi::BindingSet CompositePass::bind(const Prepared& prepared, std::size_t run, r
                                {16, run > 0 ? sum(run - 1) : air.profile_table.handle, air.nearest, {}}});
     const rhi::Pipeline pipeline = pipelines_[targets.directions ? 1 : 0][0][run];
     return prepared.objects->bindings("composite", pipeline, bindings_of(shader(run), slots));
+}
+
+std::vector<rhi::Binding> CompositePass::tables(std::size_t run) const {
+    const TripletKernels& of = runs_[run];
+    return run < ground_runs_ ? std::vector<rhi::Binding>{{2, of.transmittance, of.shared->air.linear, {}}}
+                              : of.kernels->tables;
 }
 
 void CompositePass::prepare(const CompositeTargets& targets) {

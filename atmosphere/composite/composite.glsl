@@ -10,6 +10,7 @@
 #define AUREOLE_COMPOSITE_GLSL
 
 #include "composite/display.glsl"
+#include "composite/scene_distance.glsl"
 #include "phase/phase.glsl"
 #define AUREOLE_SHADOW_TABLE
 #include "shadows/shadows.glsl"
@@ -42,8 +43,16 @@ vec3 disks(vec3 direction) {
     return radiance;
 }
 
-// Light without what shadows take of it, which is known in RGB. Parts of light may be negative; their sum is not shown so.
-vec3 without(vec3 light, vec3 loss) { return IN_TRIPLETS ? light - whole(loss) : max(light - loss, vec3(real(0))); }
+// Light without what shadows take of it. Parts of light may be negative, and colours out of gamut; their sum is not shown so.
+vec3 without(vec3 light, vec3 loss) {
+    return IN_TRIPLETS || NO_NEGATIVE ? light - loss : max(light - loss, vec3(real(0)));
+}
+
+// What shadows take from the sky and bare ground of a pixel: of the air in the table of all triplets, of the ground by each.
+vec3 sky_loss(ivec2 pixel, real x, real y, vec3 direction, ViewDirection v) {
+    vec3 ground = GROUND_LOSS_GIVEN ? vec3(texelFetch(sum_before, pixel, 0)) : ground_shadow_loss(direction, v);
+    return whole(shadow_loss(x, y, real(-1), direction)) + ground;
+}
 
 // Scene-linear radiance of a pixel; of N wavelengths the part of three.
 vec3 pixel_radiance(ivec2 pixel) {
@@ -60,26 +69,18 @@ vec3 pixel_radiance(ivec2 pixel) {
     ViewDirection v = view_direction(ray.direction);
     vec3 color = SCENE_COLOR ? vec3(texelFetch(scene_color, pixel, 0)) : vec3(real(0));
 
-    real distance_km = real(-1);  // nothing there
-    if (SCENE_DEPTH) {
-        real d = texelFetch(scene_depth, pixel, 0).x;
-        real divisor = view.depth.z * d + view.depth.w;
-        real depth = (view.depth.x * d + view.depth.y) / divisor;
-        // The far end of the depth range is nothing; at infinity the divisor vanishes; 1e7 km is beyond any geometry.
-        if (d != view.composite.z && abs(divisor) > real(1e-12) && depth > 0 && depth < real(1e7)) distance_km = depth * ray.stretch;
-    }
+    real distance_km = scene_distance(pixel, ray);
     if (distance_km < 0) {
         if (SUN_DISK) color += disks(ray.direction);
         color = AUREOLE_SKY_RADIANCE(pixel, ray.direction, v, color);
-        if (SHADOWS)
-            color = without(color, shadow_loss(x, y, real(-1), ray.direction) + ground_shadow_loss(ray.direction, v));
+        if (SHADOWS) color = without(color, sky_loss(pixel, x, y, ray.direction, v));
         return color;
     }
     if (!AERIAL_PERSPECTIVE) return whole(color);
     real entry = distance_to_air(v);
     if (entry < 0 || distance_km < entry) return whole(color);
     AerialPerspective air = aerial_perspective(x, y, distance_km - entry, ray.direction);
-    if (SHADOWS) air.radiance = without(air.radiance, shadow_loss(x, y, distance_km - entry, ray.direction));
+    if (SHADOWS) air.radiance = without(air.radiance, whole(shadow_loss(x, y, distance_km - entry, ray.direction)));
     return color * air.transmittance + air.radiance;
 }
 

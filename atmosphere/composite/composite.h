@@ -57,7 +57,10 @@ private:
     const ModelKernels& kernels_;
     const ShadowPass& shadows_;
     CompositeSettings settings_;
-    std::vector<TripletKernels> runs_;  // of a composite: one, or one for each triplet of wavelengths
+    [[nodiscard]] std::vector<rhi::Binding> tables(std::size_t run) const;
+    std::size_t ground_runs_;  // of ground_loss.comp.glsl, before the composite's own
+    // Of ground_loss, and of a composite: one, or one for each triplet of wavelengths.
+    std::vector<TripletKernels> runs_;
     // By run: of camera rays, of given directions (made when first prepared); the second of each where the kernel has a
     // ModelKernels::space_constant.
     std::vector<rhi::Pipeline> pipelines_[2][2];

@@ -17,7 +17,7 @@ SAMPLER_2D(8, directions)
 SAMPLER_2D(12, shadow_table)
 SAMPLER_2D(13, shadow_map)
 UNIFORMS(14, ShadowBlock, shadow)
-SAMPLER_2D(16, sum_before)  // of the triplets before (triplet.glsl, which has slot 15)
+SAMPLER_2D(16, sum_before)  // of the runs before (triplet.glsl, which has slot 15)
 
 SPEC_BOOL(16, SCENE_COLOR, false)
 SPEC_BOOL(17, SCENE_DEPTH, false)
@@ -29,6 +29,7 @@ SPEC_BOOL(22, DITHER, false)
 SPEC_BOOL(23, GIVEN_DIRECTIONS, false)
 SPEC_BOOL(37, SUN_LOBE, false)  // in place of disks
 SPEC_BOOL(38, SHADOWS, false)   // ViewSettings::shadows
+SPEC_BOOL(53, GROUND_LOSS_GIVEN, false)  // sum_before is what ground_loss.comp.glsl has found at each triplet
 SPEC_BOOL(50, NO_NEGATIVE, false)  // light from tables whose colours can lie outside of Rec.709: what is below 0 shows as 0
 
 struct CompositeTarget {

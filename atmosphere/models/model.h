@@ -25,10 +25,11 @@ struct ViewResources {
 };
 
 struct ModelKernels;
-/// What composite and light are run with for three of N wavelengths.
+/// What composite, light and shadows are run with for three of N wavelengths.
 struct TripletKernels {
     ViewResources* shared;
     const ModelKernels* kernels;
+    rhi::Texture transmittance{};  ///< ModelAir::transmittance_table of the air at these wavelengths; shadows alone read it.
 };
 
 /// The kernels that show a model's sky, each with the slots of composite/inputs.glsl or light/inputs.glsl and the model's own.
@@ -43,6 +44,9 @@ struct ModelKernels {
     bool aerial_perspective = true;          ///< False: geometry is left as it is.
     bool shadows = true;                     ///< Its light is single scattering of the air's terms, and more.
     std::vector<TripletKernels> triplets{};  ///< Run in turn and added up, in place of these kernels; none: these.
+    /// Airs that shadows take light from, each at three wavelengths, whether or not the tables shown are sums; none: the view's
+    /// own.
+    std::vector<TripletKernels> shadow_triplets{};
 };
 /// What composite and light run: the triplets, or the kernels themselves.
 [[nodiscard]] std::vector<TripletKernels> runs_of(ViewResources& shared, const ModelKernels& kernels);

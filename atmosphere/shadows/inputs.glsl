@@ -13,6 +13,9 @@ UNIFORMS(1, ViewBlock, view)
 UNIFORMS(2, ShadowBlock, shadow)
 SAMPLER_2D(5, shadow_map)
 IMAGE_2D(6, shadows_out)
+SAMPLER_2D(8, sum_before)  // of the triplets before (triplet.glsl, which has slot 15)
 SPEC_INT(41, SHADOW_SAMPLES, 1)
+
+#include "common/triplet.glsl"
 
 #endif

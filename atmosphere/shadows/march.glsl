@@ -9,6 +9,13 @@
 
 LOCAL_SIZE(8, 8, 1)
 
+// Of N wavelengths the loss of three, and of the triplets before: in RGB, so that the table is one.
+void store_loss(ivec2 texel, vec3 loss, int sun) {
+    vec3 sum = in_rgb(loss) * view.table_exposure[sun];
+    if (!first_triplet()) sum += vec3(texelFetch(sum_before, texel, 0));
+    imageStore(shadows_out, texel, vec4(sum, real(0)));
+}
+
 COMPUTE_MAIN(id) {
     ivec2 size = imageSize(shadows_out);
     int columns = size.x / SHADOW_SLICES;
@@ -46,10 +53,9 @@ COMPUTE_MAIN(id) {
         begin = end;
 
         ivec2 texel = ivec2(slice * columns + id.x, id.y);
-        imageStore(shadows_out, texel, vec4(loss * view.table_exposure[sun], real(0)));
+        store_loss(texel, loss, sun);
         for (int c = 0; c < PHASE_COUNT; ++c)
-            if (phase_is_sharp(c))
-                imageStore(shadows_out, ivec2(texel.x, texel.y + sharp_layer(c) * rows), vec4(sharp[c] * view.table_exposure[sun], real(0)));
+            if (phase_is_sharp(c)) store_loss(ivec2(texel.x, texel.y + sharp_layer(c) * rows), sharp[c], sun);
     }
 }
 

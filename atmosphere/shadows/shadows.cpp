@@ -80,56 +80,78 @@ ShadowBlock pack_shadows(const ShadowMap& map, std::uint32_t cascades, const glm
 
 ShadowPass::ShadowPass(ViewResources& shared, const ModelKernels& kernels, const ShadowSettings& settings,
                        rhi::Texture transmittance)
-    : shared_(shared), settings_(settings), transmittance_(transmittance) {
+    : shared_(shared), settings_(settings) {
     if (!enabled()) return;
     if (!kernels.shadows)
         throw Error(ErrorCode::unsupported, "view.shadows.cascades", std::to_string(settings.cascades),
                     "0 with this model, whose light is not made of single scattering and the rest");
-    Objects& objects = shared.objects;
-    Specialize values = shared.specialize();
-    for (const rhi::Specialization& value : kernels.specialization) values.set(value);
-    const std::uint32_t layers = layers_of(values.values());
-    require_size_of(objects.device(), settings.size, layers);
-    values.set(39, static_cast<int>(settings.size.depth)).set(40, static_cast<int>(settings.cascades));
-    values.set(41, static_cast<int>(settings.samples));
-
-    const bool filtered = objects.device().format_support(rhi::Format::rgba32_float, rhi::Dimension::d2).linear_filter;
-    table_ = objects.texture({"shadows",
-                              rhi::Dimension::d2,
-                              filtered ? rhi::Format::rgba32_float : rhi::Format::rgba16_float,
-                              {settings.size.width * settings.size.depth, settings.size.height * layers, 1},
-                              rhi::Usage::sampled | rhi::Usage::storage});
-    block_ = objects.constants("shadows", sizeof(ShadowBlock));
     shader_ = transmittance ? &shaders::shadows : &shaders::shadows_by_quadrature;
+    std::vector<TripletKernels> airs = kernels.shadow_triplets;
+    if (airs.empty()) airs.push_back({&shared, &kernels, transmittance});
+    make_tables(layers_of(specialization(airs.front()).values()), airs.size());
+    for (const TripletKernels& air : airs)
+        runs_.push_back({air, shared.objects.compute(*shader_, specialization(air).values())});
+    block_ = shared.objects.constants("shadows", sizeof(ShadowBlock));
     if (!transmittance) {
         rule_ = quadrature_block(sun_nodes);
-        nodes_ = objects.constants("shadows quadrature", sizeof rule_);
+        nodes_ = shared.objects.constants("shadows quadrature", sizeof rule_);
     }
-    pipeline_ = objects.compute(*shader_, values.values());
     use_map({});
+}
+
+Specialize ShadowPass::specialization(const TripletKernels& air) const {
+    Specialize values = air.shared->specialize();
+    for (const rhi::Specialization& value : air.kernels->specialization) values.set(value);
+    values.set(39, static_cast<int>(settings_.size.depth)).set(40, static_cast<int>(settings_.cascades));
+    return values.set(41, static_cast<int>(settings_.samples));
+}
+
+void ShadowPass::make_tables(std::uint32_t layers, std::size_t runs) {
+    Objects& objects = shared_.objects;
+    require_size_of(objects.device(), settings_.size, layers);
+    const bool filtered = objects.device().format_support(rhi::Format::rgba32_float, rhi::Dimension::d2).linear_filter;
+    const auto table = [&](const char* name, rhi::Format format) {
+        return objects.texture({name,
+                                rhi::Dimension::d2,
+                                format,
+                                {settings_.size.width * settings_.size.depth, settings_.size.height * layers, 1},
+                                rhi::Usage::sampled | rhi::Usage::storage});
+    };
+    table_ = table("shadows", filtered ? rhi::Format::rgba32_float : rhi::Format::rgba16_float);
+    while (sums_.size() < sums_between(runs)) sums_.push_back(table("shadows sum", rhi::Format::rgba32_float));
 }
 
 void ShadowPass::use_map(rhi::Texture map) {
     if (map_objects_ && map == map_) return;
-    AirResources& air = shared_.air;
+    auto objects = shared_.objects.sibling();
+    std::vector<rhi::BindingSet> bindings;
+    for (std::size_t run = 0; run < runs_.size(); ++run) bindings.push_back(bind(*objects, run, map));
+    bindings_ = std::move(bindings);
+    map_objects_ = std::move(objects);
+    map_ = map;
+}
+
+rhi::BindingSet ShadowPass::bind(Objects& objects, std::size_t run, rhi::Texture map) {
+    const TripletKernels& of = runs_[run].of;
+    const AirResources& air = of.shared->air;
     const rhi::Binding slots[] = {{0, {}, {}, air.block.handle},
                                   {1, {}, {}, shared_.block.handle},
                                   {2, {}, {}, block_.handle},
-                                  {3, transmittance_, air.linear, {}},
+                                  {3, of.transmittance, air.linear, {}},
                                   {4, {}, {}, nodes_.handle},
                                   {5, map ? map : air.profile_table.handle, air.nearest, {}},
-                                  {6, table_.handle, {}, {}},
+                                  {6, written_by(run).handle, {}, {}},
                                   {7, air.phase_table.handle, air.nearest, {}},
-                                  {10, air.profile_table.handle, air.nearest, {}}};
-    auto objects = shared_.objects.sibling();
-    bindings_ = objects->bindings("shadows", pipeline_, bindings_of(*shader_, slots));
-    map_objects_ = std::move(objects);
-    map_ = map;
+                                  {8, run > 0 ? written_by(run - 1).handle : air.profile_table.handle, air.nearest, {}},
+                                  {10, air.profile_table.handle, air.nearest, {}},
+                                  of.shared->triplet_binding()};
+    return objects.bindings("shadows", runs_[run].pipeline, bindings_of(*shader_, slots));
 }
 
 void ShadowPass::invalidate() noexcept {
     if (!enabled()) return;
     forget(table_);
+    for (TrackedTexture& sum : sums_) forget(sum);
     forget(block_);
     forget(nodes_);
 }
@@ -137,12 +159,16 @@ void ShadowPass::invalidate() noexcept {
 void ShadowPass::record(rhi::CommandList& commands, const ShadowBlock& block, PassReport& report, TimestampSlots timestamps,
                         std::uint32_t index) {
     update_block(commands, block_, block);
-    if (!transmittance_ && nodes_.state == rhi::State::undefined) update_block(commands, nodes_, rule_);
+    if (nodes_.handle && nodes_.state == rhi::State::undefined) update_block(commands, nodes_, rule_);
     PassScope scope(commands, report, timestamps, index);
-    move(commands, {{&table_, rhi::State::storage_write}});
-    scope.dispatch(*shader_, pipeline_, bindings_, {settings_.size.width, settings_.size.height, 1});
-    move(commands, {{&table_, rhi::State::sampled}});
-    report.bytes_written = table_.bytes;
+    report.bytes_written = 0;
+    for (std::size_t run = 0; run < runs_.size(); ++run) {
+        TrackedTexture& table = written_by(run);
+        move(commands, {{&table, rhi::State::storage_write}});
+        scope.dispatch(*shader_, runs_[run].pipeline, bindings_[run], {settings_.size.width, settings_.size.height, 1});
+        move(commands, {{&table, rhi::State::sampled}});
+        report.bytes_written += table.bytes;
+    }
 }
 
 }  // namespace aureole::detail

@@ -18,7 +18,7 @@ void validate(const ShadowMap& map, const ShadowSettings& settings, std::uint32_
 
 class ShadowPass {
 public:
-    /// Makes nothing where shadows are off. `transmittance`: null where the model keeps no such table.
+    /// Makes nothing where shadows are off. `transmittance`: of `shared`'s air; null where the model keeps no such table.
     ShadowPass(ViewResources& shared, const ModelKernels& kernels, const ShadowSettings& settings, rhi::Texture transmittance);
 
     /// Makes bindings for this map; null: for none. Throws and changes nothing where the device refuses it.
@@ -35,15 +35,27 @@ public:
 private:
     ViewResources& shared_;
     ShadowSettings settings_;
-    rhi::Texture transmittance_;
+    /// In RGB, or of three of N wavelengths.
+    struct Run {
+        TripletKernels of;
+        rhi::Pipeline pipeline;
+    };
+    [[nodiscard]] TrackedTexture& written_by(std::size_t run) noexcept {
+        return run + 1 < runs_.size() ? sums_[run % sums_.size()] : table_;
+    }
+    [[nodiscard]] Specialize specialization(const TripletKernels& air) const;
+    void make_tables(std::uint32_t layers, std::size_t runs);
+    [[nodiscard]] rhi::BindingSet bind(Objects& objects, std::size_t run, rhi::Texture map);
+
     const rhi::Shader* shader_ = nullptr;
+    std::vector<Run> runs_;
+    std::vector<TrackedTexture> sums_;  ///< What one run leaves to the next.
     TrackedTexture table_;
     TrackedBuffer block_, nodes_;
     QuadratureBlock rule_;
-    rhi::Pipeline pipeline_;
     rhi::Texture map_;
     std::unique_ptr<Objects> map_objects_;
-    rhi::BindingSet bindings_;
+    std::vector<rhi::BindingSet> bindings_;  ///< By run.
 };
 
 }  // namespace aureole::detail

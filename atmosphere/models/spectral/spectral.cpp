@@ -131,7 +131,6 @@ SpectralAir::SpectralAir(AirResources& shared, const AtmosphereParameters& param
     inner_reports_.make(models.front()->passes(), models.size());
     if (!sums_needed_) return;
     sums_ = make_sums<ModelAir>(shared.objects, shared.nearest, weights_buffer_, models);
-    if (by_tables()) return;
     while (triplet_buffers_.size() < triplets_.size())
         triplet_buffers_.push_back(shared.objects.constants("triplet", sizeof(TripletBlock)));
 }
@@ -260,18 +259,22 @@ SpectralView::SpectralView(ViewResources& shared, const ViewSettings& settings, 
     for (std::size_t k = 0; k < air.airs().size(); ++k) {
         const std::unique_ptr<AirTables>& tables = air.airs()[k];
         ViewResources own{shared.objects, tables->shared, shared.block, shared.suns, shared.projection, air.triplet(k)};
-        inner_.push_back(std::make_unique<Inner>(Inner{own, {}}));
+        const ViewResources shadowed = own;
+        if (air.by_tables()) own.triplet = {};
+        inner_.push_back(std::make_unique<Inner>(Inner{own, shadowed, {}}));
         inner_.back()->view = tables->model->make_view(inner_.back()->shared, settings);
         views.push_back(inner_.back()->view.get());
     }
     inner_reports_.make(views.front()->passes(), views.size());
     kernels_ = views.front()->kernels();
     if (air.sums()) sums_ = make_sums<ModelView>(shared.objects, shared.air.nearest, air.weights(), views);
-    if (!air.by_tables()) {
-        for (const auto& inner : inner_) kernels_.triplets.push_back({&inner->shared, &inner->view->kernels()});
-        return;
+    for (std::size_t k = 0; k < inner_.size(); ++k) {
+        const ModelKernels& kernels = inner_[k]->view->kernels();
+        const rhi::Texture transmittance = air.airs()[k]->model->transmittance_table();
+        if (!air.by_tables() || !air.sums()) kernels_.triplets.push_back({&inner_[k]->shared, &kernels});
+        kernels_.shadow_triplets.push_back({&inner_[k]->shadowed, &kernels, transmittance});
     }
-    if (!air.sums()) return;
+    if (!kernels_.triplets.empty()) return;
     for (rhi::Binding& binding : kernels_.tables) binding.texture = shown(binding.texture);
     kernels_.specialization.push_back({50, 1});  // NO_NEGATIVE of composite/inputs.glsl
 }

@@ -49,7 +49,7 @@ public:
     /// False for one triplet that is red, green and blue already.
     [[nodiscard]] bool sums() const noexcept { return sums_needed_; }
     [[nodiscard]] bool by_tables() const noexcept { return inner_->by_tables(); }
-    /// For ViewResources: of a model that computes light for each pixel, else null.
+    /// For ViewResources of kernels that compute light at three wavelengths; null where there are no sums.
     [[nodiscard]] rhi::Buffer triplet(std::size_t k) const noexcept {
         return triplet_buffers_.empty() ? rhi::Buffer{} : triplet_buffers_[k].handle;
     }
@@ -96,6 +96,8 @@ public:
 private:
     struct Inner {
         ViewResources shared;
+        ViewResources
+            shadowed;  ///< Of the pass that finds shadows, whose light is computed even where the model's is in tables.
         std::unique_ptr<ModelView> view;
     };
     [[nodiscard]] rhi::Texture shown(rhi::Texture table) const noexcept;

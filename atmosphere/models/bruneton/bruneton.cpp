@@ -1,11 +1,13 @@
 #include "models/bruneton/bruneton.h"
 
 #include "module/requirements.h"
+#include "sky_view/sky_view.h"
 
 #include "aureole_atmosphere_shaders.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -27,6 +29,30 @@ QualitySettings quality_of(const BrunetonSettings& settings) {
     return quality;
 }
 
+bool is_molecules(const DensityTerm& term) { return std::holds_alternative<RayleighPhase>(term.phase); }
+
+/// The red, green and blue that air scatters, against what its molecules alone do, per vertical optical depth: the same ratio
+/// for all three within a tenth. Most of layer 0 is light scattered once by molecules, or more than once by anything; where the
+/// latter has another colour, green and blue of the aerosol's light are guessed from a wrong one.
+bool scatters_as_molecules(const AtmosphereParameters& parameters) {
+    AtmosphereParameters all = parameters;
+    for (DensityTerm& term : all.terms) term.absorption_per_m = Rgb(0);
+    AtmosphereParameters molecules = all;
+    std::erase_if(molecules.terms, [](const DensityTerm& term) { return !is_molecules(term); });
+    const Rgb whole = vertical_optical_depth(all), part = vertical_optical_depth(molecules);
+    const auto alike = [&](int c) {
+        const double here = whole[c] * part.r, red = whole.r * part[c];
+        return here > 0 && red > 0 && here <= 1.1 * red && red <= 1.1 * here;
+    };
+    return alike(1) && alike(2);
+}
+
+/// Air of molecules and one other phase function, which leaves the colours nearly as they are.
+bool combines(const BrunetonSettings& settings, const AirResources& shared, const AtmosphereParameters& parameters) {
+    return settings.combined && !shared.summed && shared.air.phase_count == 2 && std::popcount(shared.air.sharp_phases) == 1 &&
+           scatters_as_molecules(parameters);
+}
+
 class BrunetonModel final : public Model {
 public:
     explicit BrunetonModel(const BrunetonSettings& settings) : settings_(settings), quality_(quality_of(settings)) {
@@ -44,13 +70,16 @@ public:
         const rhi::Capabilities& limits = device.capabilities();
         require_size("device.max_texture_2d", limits.max_texture_2d, std::max(s.transmittance.width, s.transmittance.height));
         const int directions = s.sampling == models::BrunetonSampling::published ? 256 : 2 * s.zenith_nodes * s.azimuth_nodes;
-        const int most_layers = 1 + AtmosphereParameters::max_phase_functions;
-        require_size("device.max_texture_3d", limits.max_texture_3d,
-                     static_cast<std::uint32_t>(std::max({s.nu_nodes * s.sun_nodes, s.view_nodes, directions,
-                                                          s.altitude_nodes * (s.combined ? 1 : most_layers)})));
+        // One layer of altitudes; make_air knows how many there are.
+        require_size(
+            "device.max_texture_3d", limits.max_texture_3d,
+            static_cast<std::uint32_t>(std::max({s.nu_nodes * s.sun_nodes, s.view_nodes, directions, s.altitude_nodes})));
     }
     [[nodiscard]] std::unique_ptr<ModelAir> make_air(AirResources& shared,
                                                      const AtmosphereParameters& parameters) const override {
+        const std::uint32_t layers = combines(settings_, shared, parameters) ? 1 : layers_with_sharp_phases(shared.air);
+        require_size("device.max_texture_3d", shared.objects.device().capabilities().max_texture_3d,
+                     static_cast<std::uint32_t>(settings_.altitude_nodes) * layers);
         return std::make_unique<BrunetonAir>(shared, parameters, settings_);
     }
 
@@ -58,9 +87,6 @@ private:
     BrunetonSettings settings_;
     QualitySettings quality_;
 };
-
-/// Molecules, which come first, and one other phase function.
-bool can_combine(const AirStructure& air) { return air.phase_count == 2 && air.sharp_phases == 2U; }
 
 /// `A` of the sun's axis (bruneton.glsl): how long the ray from the ground towards the lowest sun is.
 double longest_sun_ray(const Planet& planet, double lowest_sun_deg) {
@@ -78,18 +104,17 @@ double longest_sun_ray(const Planet& planet, double lowest_sun_deg) {
 glm::dvec2 colour_ratio(const AtmosphereParameters& parameters) {
     Rgb molecules(0), aerosol(0);
     for (const DensityTerm& term : parameters.terms)
-        (std::holds_alternative<RayleighPhase>(term.phase) ? molecules : aerosol) +=
-            term.scattering_per_m * term.scattering_scale;
+        (is_molecules(term) ? molecules : aerosol) += term.scattering_per_m * term.scattering_scale;
     const auto over = [](double a, double b) { return b > 0 ? a / b : 0.0; };
     return {over(aerosol.g * molecules.r, aerosol.r * molecules.g), over(aerosol.b * molecules.r, aerosol.r * molecules.b)};
 }
 
 }  // namespace
 
-BrunetonAir::BrunetonAir(AirResources& shared, const AtmosphereParameters&, const BrunetonSettings& settings)
+BrunetonAir::BrunetonAir(AirResources& shared, const AtmosphereParameters& parameters, const BrunetonSettings& settings)
     : shared_(shared),
       settings_(settings),
-      combined_(settings.combined && can_combine(shared.air) && !shared.summed),
+      combined_(combines(settings, shared, parameters)),
       transmittance_(shared, transmittance_kernel(shared.quality)),
       solution_(shared, settings, combined_),
       front_(solution_.make_tables(shared.objects, transmittance_.table(), copied_to)),
@@ -103,6 +128,10 @@ void BrunetonAir::complete(const AtmosphereParameters& parameters, AtmosphereBlo
     const glm::dvec2 ratio = colour_ratio(parameters);
     block.sun_mapping = {static_cast<float>(longest_sun_ray(parameters.planet, settings_.lowest_sun_deg)), 0,
                          static_cast<float>(ratio.x), static_cast<float>(ratio.y)};
+}
+
+bool BrunetonAir::fits(const AtmosphereParameters& parameters) const {
+    return combines(settings_, shared_, parameters) == combined_;
 }
 
 void BrunetonAir::restart(const AtmosphereParameters&, const AtmosphereBlock& before, const AtmosphereBlock& fresh) {

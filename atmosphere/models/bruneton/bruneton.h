@@ -16,6 +16,7 @@ public:
     [[nodiscard]] std::span<const std::string_view> passes() const noexcept override;
     void complete(const AtmosphereParameters& parameters, AtmosphereBlock& block) const noexcept override;
     void restart(const AtmosphereParameters& parameters, const AtmosphereBlock& before, const AtmosphereBlock& fresh) override;
+    [[nodiscard]] bool fits(const AtmosphereParameters& parameters) const override;
     void invalidate() noexcept override;
     bool record(rhi::CommandList& commands, const AtmosphereBlock& block, std::span<PassReport> reports,
                 TimestampSlots timestamps) override;

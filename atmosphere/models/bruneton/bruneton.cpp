@@ -115,10 +115,10 @@ BrunetonAir::BrunetonAir(AirResources& shared, const AtmosphereParameters& param
     : shared_(shared),
       settings_(settings),
       combined_(combines(settings, shared, parameters)),
-      transmittance_(shared, transmittance_kernel(shared.quality)),
+      transmittance_(shared, transmittance_kernel(shared.quality), copied_to),
       solution_(shared, settings, combined_),
       front_(solution_.make_tables(shared.objects, transmittance_.table(), copied_to)),
-      front_bindings_(solution_.bind(shared.objects, front_)) {
+      front_bindings_(solution_.bind(shared, front_)) {
     if (settings.slices_per_frame > 0) back_ = make_back();
 }
 
@@ -135,9 +135,9 @@ bool BrunetonAir::fits(const AtmosphereParameters& parameters) const {
 }
 
 void BrunetonAir::restart(const AtmosphereParameters&, const AtmosphereBlock& before, const AtmosphereBlock& fresh) {
-    const bool same_axes =
-        fresh.radii == before.radii && fresh.sun_mapping.x == before.sun_mapping.x && fresh.tables.z == before.tables.z;
-    fits_ = fits_ && same_axes;
+    const bool same_planet = fresh.radii == before.radii;
+    fits_ = fits_ && same_planet;
+    working_ = working_ && same_planet;
     stale_ = true;
 }
 
@@ -148,6 +148,9 @@ void BrunetonAir::invalidate() noexcept {
     forget(front_.irradiance);
     if (back_) {
         back_->transmittance->invalidate();
+        forget(back_->block);
+        forget(back_->profiles);
+        forget(back_->phases);
         forget(back_->tables.scattering);
         forget(back_->tables.irradiance);
     }
@@ -158,12 +161,17 @@ void BrunetonAir::invalidate() noexcept {
 std::unique_ptr<BrunetonAir::Back> BrunetonAir::make_back() const {
     auto back = std::make_unique<Back>();
     back->objects = shared_.objects.sibling();
-    back->shared.emplace(AirResources{*back->objects, shared_.air, shared_.quality, shared_.block, shared_.profile_table,
-                                      shared_.phase_table, shared_.has_profiles, shared_.linear, shared_.nearest,
-                                      shared_.summed});
+    back->block = back->objects->constants("bruneton air", sizeof(AtmosphereBlock));
+    const auto table = [&](const char* name, const TrackedTexture& like) {
+        return back->objects->texture({name, like.dimension, like.format, like.extent, rhi::Usage::sampled | copied_to});
+    };
+    back->profiles = table("bruneton profiles", shared_.profile_table);
+    back->phases = table("bruneton phases", shared_.phase_table);
+    back->shared.emplace(AirResources{*back->objects, shared_.air, shared_.quality, back->block, back->profiles, back->phases,
+                                      shared_.has_profiles, shared_.linear, shared_.nearest, shared_.summed});
     back->transmittance.emplace(*back->shared, transmittance_kernel(shared_.quality));
     back->tables = solution_.make_tables(*back->objects, back->transmittance->table(), rhi::Usage::copy_source);
-    back->bindings = solution_.bind(*back->objects, back->tables);
+    back->bindings = solution_.bind(*back->shared, back->tables);
     return back;
 }
 
@@ -190,11 +198,20 @@ double BrunetonAir::progress() const noexcept {
 
 std::uint64_t BrunetonAir::more_texture_bytes() const noexcept { return back_ ? back_->objects->texture_bytes() : 0; }
 
+bool BrunetonAir::in_parts() const noexcept {
+    const bool first_in_parts = !shown_ && (settings_.slices_per_frame > 0 || first_too_);
+    return budget() > 0 && back_ && (fits_ || first_in_parts);
+}
+
+NewAir BrunetonAir::new_air() const noexcept {
+    if (!in_parts()) return NewAir::shown;
+    return working_ ? NewAir::later : NewAir::apart;
+}
+
 bool BrunetonAir::record(rhi::CommandList& commands, const AtmosphereBlock&, std::span<PassReport> reports,
                          TimestampSlots timestamps) {
     if (!stale_ && !working_) return false;
-    const bool first_in_parts = !shown_ && (settings_.slices_per_frame > 0 || first_too_);
-    if (budget() > 0 && back_ && (fits_ || first_in_parts)) return solve_a_part(commands, reports, timestamps);
+    if (in_parts()) return solve_a_part(commands, reports, timestamps);
     solve_at_once(commands, reports, timestamps);
     return true;
 }
@@ -210,7 +227,7 @@ void BrunetonAir::solve_at_once(rhi::CommandList& commands, std::span<PassReport
 }
 
 bool BrunetonAir::solve_a_part(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps) {
-    if (stale_) {
+    if (!working_) {
         back_->transmittance->record(commands, reports[0], timestamps, 0);
         solution_.start();
         working_ = true;
@@ -222,18 +239,14 @@ bool BrunetonAir::solve_a_part(rhi::CommandList& commands, std::span<PassReport>
         solution_.advance(commands, scope, reports[1], back_->tables, back_->bindings, budget());
     }
     if (!solution_.finished()) return false;
-    show(commands, reports, timestamps);
+    show(commands);
     return true;
 }
 
-void BrunetonAir::show(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps) {
-    transmittance_.record(commands, reports[0], timestamps, 0);  // as the back one: the air has not changed since
-    for (TrackedTexture BrunetonTables::*table : {&BrunetonTables::scattering, &BrunetonTables::irradiance}) {
-        TrackedTexture &from = back_->tables.*table, &to = front_.*table;
-        move(commands, {{&from, rhi::State::copy_source}, {&to, rhi::State::copy_destination}});
-        commands.copy(rhi::TextureToTexture{from.handle, to.handle});
-        move(commands, {{&from, rhi::State::sampled}, {&to, rhi::State::sampled}});
-    }
+void BrunetonAir::show(rhi::CommandList& commands) {
+    copy_texture(commands, back_->transmittance->table(), transmittance_.table());
+    copy_texture(commands, back_->tables.scattering, front_.scattering);
+    copy_texture(commands, back_->tables.irradiance, front_.irradiance);
     working_ = false;
     shown_ = fits_ = true;
 }

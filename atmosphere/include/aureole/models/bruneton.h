@@ -47,7 +47,8 @@ struct BrunetonSettings {
     /// Atmosphere::record, and each of the orders - 1 passes over the field of arriving light counts as one more, though it is
     /// recorded whole at any budget; 0: all at once. In [0, 1000000]. With a budget the tables in use stay complete, and what
     /// is shown changes when the new ones are: a second set is kept (table_bytes). Views have nothing to show before the first
-    /// solution is complete (Atmosphere::progress); other planet's radii are solved at once; a change meanwhile starts anew.
+    /// solution is complete (Atmosphere::progress). A change meanwhile waits until the solution in work is shown; other
+    /// planet's radii are solved at once.
     int slices_per_frame = 0;
 
     [[nodiscard]] static BrunetonSettings low();        ///< 16 x 64 x 24 x 8 nodes, combined where the air allows.

@@ -117,6 +117,12 @@ void move(rhi::CommandList& commands, std::initializer_list<Move> moves) {
     if (count > 0) commands.barrier(std::span(barriers.data(), count), {});
 }
 
+void copy_texture(rhi::CommandList& commands, TrackedTexture& from, TrackedTexture& to) {
+    move(commands, {{&from, rhi::State::copy_source}, {&to, rhi::State::copy_destination}});
+    commands.copy(rhi::TextureToTexture{from.handle, to.handle});
+    move(commands, {{&from, rhi::State::sampled}, {&to, rhi::State::sampled}});
+}
+
 void update(rhi::CommandList& commands, TrackedBuffer& buffer, std::span<const std::byte> bytes) {
     const rhi::BufferBarrier before{buffer.handle, buffer.state, rhi::State::copy_destination};
     commands.barrier({}, std::span(&before, 1));

@@ -103,6 +103,9 @@ struct Move {
 /// One barrier for all moves that change something or follow a write.
 void move(rhi::CommandList& commands, std::initializer_list<Move> moves);
 
+/// Copies the whole of a texture to one of its size; both are left in State::sampled.
+void copy_texture(rhi::CommandList& commands, TrackedTexture& from, TrackedTexture& to);
+
 /// Replaces a block's contents, leaving the buffer readable by kernels.
 void update(rhi::CommandList& commands, TrackedBuffer& buffer, std::span<const std::byte> bytes);
 template <class Block>

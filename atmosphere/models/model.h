@@ -87,6 +87,13 @@ public:
     [[nodiscard]] virtual rhi::Texture film_table() const noexcept { return {}; }
 };
 
+/// Where the numbers of a changed air go.
+enum class NewAir {
+    shown,  ///< To what views read.
+    apart,  ///< To the model, which has something else to show until record() says that it is done.
+    later,  ///< Nowhere: the model is at work for the air before.
+};
+
 /// What a model keeps for an air of one structure; made anew when that changes.
 class ModelAir {
 public:
@@ -98,6 +105,11 @@ public:
     virtual void restart(const AtmosphereParameters& /*parameters*/, const AtmosphereBlock& /*before*/,
                          const AtmosphereBlock& /*fresh*/) {}
     virtual void invalidate() noexcept {}
+    /// Of the next record().
+    [[nodiscard]] virtual NewAir new_air() const noexcept { return NewAir::shown; }
+    /// Where the air's block and tables go, and are copied from when they are shown, of a model with NewAir::apart; null: it
+    /// needs none of its own.
+    [[nodiscard]] virtual AirResources* apart() noexcept { return nullptr; }
     /// Records what has become due; true if anything that views read has changed.
     virtual bool record(rhi::CommandList& /*commands*/, const AtmosphereBlock& /*block*/, std::span<PassReport> /*reports*/,
                         TimestampSlots /*timestamps*/) {

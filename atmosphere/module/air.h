@@ -47,12 +47,20 @@ private:
         std::vector<float> texels;
         std::unique_ptr<Objects> objects;
         TrackedBuffer buffer;
+        bool in_use = false;  ///< Its texels are in the table that views read.
     };
     [[nodiscard]] Upload make_upload(const char* name, const std::vector<float>& texels) const;
-    void record_upload(rhi::CommandList& commands, Upload& upload, TrackedTexture& texture);
+    static void record_upload(rhi::CommandList& commands, Upload& upload, TrackedTexture& texture);
+    void record_tables(rhi::CommandList& commands);
+    void record_shown(rhi::CommandList& commands);
+    void record_apart(rhi::CommandList& commands);
+    /// What was recorded apart is what views read from here on.
+    void show_apart(rhi::CommandList& commands);
 
     Upload profile_upload_, phase_upload_;
-    bool block_changed_ = true;
+    bool block_changed_ = true;  // and not yet recorded anywhere
+    AtmosphereBlock apart_block_{};
+    bool apart_pending_ = false;  // that one has been recorded apart, and is not shown yet
 };
 
 /// What Atmosphere tells its views.

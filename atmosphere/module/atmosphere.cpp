@@ -6,6 +6,7 @@
 #include <aureole/models/aureole.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace aureole {
 namespace detail {
@@ -83,28 +84,66 @@ void AirTables::set_numbers(const AtmosphereParameters& parameters, const Packed
 void AirTables::invalidate() noexcept {
     for (TrackedTexture* table : {&profile_table, &phase_table}) forget(*table);
     for (TrackedBuffer* buffer : {&block_buffer, &profile_upload_.buffer, &phase_upload_.buffer}) forget(*buffer);
+    profile_upload_.in_use = phase_upload_.in_use = apart_pending_ = false;
     block_changed_ = true;
     model->invalidate();
 }
 
 void AirTables::record_upload(rhi::CommandList& commands, Upload& upload, TrackedTexture& texture) {
-    if (upload.buffer.state != rhi::State::undefined) return;  // it has been copied from
-    const rhi::BufferBarrier readable{upload.buffer.handle, upload.buffer.state, rhi::State::copy_source};
-    commands.barrier({}, std::span(&readable, 1));
-    upload.buffer.state = rhi::State::copy_source;
+    if (upload.buffer.state != rhi::State::copy_source) {
+        const rhi::BufferBarrier readable{upload.buffer.handle, upload.buffer.state, rhi::State::copy_source};
+        commands.barrier({}, std::span(&readable, 1));
+        upload.buffer.state = rhi::State::copy_source;
+    }
     move(commands, {{&texture, rhi::State::copy_destination}});
     commands.copy(rhi::BufferToTexture{upload.buffer.handle, texture.handle});
     move(commands, {{&texture, rhi::State::sampled}});
 }
 
+void AirTables::record_tables(rhi::CommandList& commands) {
+    for (auto [upload, table] : {std::pair(&profile_upload_, &profile_table), std::pair(&phase_upload_, &phase_table)}) {
+        if (!upload->in_use) record_upload(commands, *upload, *table);
+        upload->in_use = true;
+    }
+}
+
+void AirTables::record_shown(rhi::CommandList& commands) {
+    record_tables(commands);
+    update_block(commands, block_buffer, block);
+    apart_pending_ = false;
+}
+
+void AirTables::record_apart(rhi::CommandList& commands) {
+    if (AirResources* own = model->apart()) {
+        record_upload(commands, profile_upload_, own->profile_table);
+        record_upload(commands, phase_upload_, own->phase_table);
+        update_block(commands, own->block, block);
+    }
+    apart_block_ = block;
+    apart_pending_ = true;
+}
+
+void AirTables::show_apart(rhi::CommandList& commands) {
+    if (AirResources* own = model->apart()) {
+        copy_texture(commands, own->profile_table, profile_table);
+        copy_texture(commands, own->phase_table, phase_table);
+    } else {
+        record_tables(commands);
+    }
+    update_block(commands, block_buffer, apart_block_);
+    apart_pending_ = false;
+}
+
 void AirTables::record(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps) {
     for (PassReport& report : reports) report.recorded = false;
-    record_upload(commands, profile_upload_, profile_table);
-    record_upload(commands, phase_upload_, phase_table);
-    const bool other_numbers = block_changed_;
-    if (block_changed_) update_block(commands, block_buffer, block);
-    block_changed_ = false;
-    if (model->record(commands, block, reports, timestamps) || other_numbers) ++version;
+    // Pending although it is to be recorded again: the model has given up the work on it.
+    const NewAir to = block_changed_ || apart_pending_ ? model->new_air() : NewAir::later;
+    if (to == NewAir::shown) record_shown(commands);
+    if (to == NewAir::apart) record_apart(commands);
+    if (to != NewAir::later) block_changed_ = false;
+    const bool changed = model->record(commands, block, reports, timestamps);
+    if (changed && apart_pending_) show_apart(commands);
+    if (changed || to == NewAir::shown) ++version;
 }
 
 }  // namespace detail

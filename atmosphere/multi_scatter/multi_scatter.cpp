@@ -184,10 +184,7 @@ void MultiScatterPass::fill_copy(rhi::CommandList& commands, const AtmosphereBlo
     update_block(commands, copy_->block, block);
     for (auto [from, to] :
          {std::pair(&transmittance_, &copy_->transmittance), std::pair(&shared_.profile_table, &copy_->profiles)}) {
-        if (!to->handle) continue;
-        move(commands, {{from, rhi::State::copy_source}, {to, rhi::State::copy_destination}});
-        commands.copy(rhi::TextureToTexture{from->handle, to->handle});
-        move(commands, {{from, rhi::State::sampled}, {to, rhi::State::sampled}});
+        if (to->handle) copy_texture(commands, *from, *to);
     }
 }
 

@@ -11,10 +11,11 @@ TableKernel transmittance_kernel(const QualitySettings& quality) {
     return {&shaders::transmittance, quality.transmittance, quality.table_format, quality.transmittance_nodes};
 }
 
-TransmittancePass::TransmittancePass(AirResources& shared, const TableKernel& kernel) : shader_(kernel.shader) {
+TransmittancePass::TransmittancePass(AirResources& shared, const TableKernel& kernel, rhi::Usage copies)
+    : shader_(kernel.shader) {
     Objects& objects = shared.objects;
-    table_ = objects.texture({"transmittance", rhi::Dimension::d2, kernel.format, kernel.size,
-                              rhi::Usage::sampled | rhi::Usage::storage | rhi::Usage::copy_source});
+    table_ = objects.texture(
+        {"transmittance", rhi::Dimension::d2, kernel.format, kernel.size, rhi::Usage::sampled | rhi::Usage::storage | copies});
     pipeline_ = objects.compute(*shader_, Specialize(shared.air).set(8, kernel.nodes).values());
     if (kernel.has_quadrature()) {
         rule_ = quadrature_block(kernel.nodes);

@@ -10,7 +10,8 @@ namespace aureole::detail {
 
 class TransmittancePass {
 public:
-    TransmittancePass(AirResources& shared, const TableKernel& kernel);
+    /// `copies`: what else the table is used for.
+    TransmittancePass(AirResources& shared, const TableKernel& kernel, rhi::Usage copies = rhi::Usage::copy_source);
 
     /// The first recording also fills the quadrature block.
     void record(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index);

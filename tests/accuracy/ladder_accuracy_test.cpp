@@ -93,3 +93,16 @@ TEST_CASE("low quality of aureole: no worse than hillaire for phones, at every s
         }
     }
 }
+
+TEST_CASE("low quality of bruneton: as good in haze and dust as on clear Earth by day") {
+    for (const Air& air : airs()) {
+        auto low = shown(air, "bruneton, low", models::bruneton(models::BrunetonSettings::low()));
+        for (auto& [zenith, ours] : low) {
+            CAPTURE(air.file);
+            CAPTURE(zenith);
+            // Twilight is short of nodes of the sun, and rays from space of nodes of everything.
+            if (zenith <= 88) CHECK(ours.quantile(0.5) < 5);
+            if (zenith <= 88) CHECK(ours.quantile(0.95) < 13);
+        }
+    }
+}

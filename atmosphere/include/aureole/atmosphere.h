@@ -80,9 +80,9 @@ public:
     /// the next one is for the air of that moment, so air that changes every frame is followed: what is shown is
     /// less than two solutions' frames old. Solved at once all the same: the first solution, one after a change of the planet's
     /// radii or of the structure, and that of a model without orders to solve (hillaire). n > 0 keeps a copy of what a solution
-    /// reads: memory of one more transmittance table, and of the tabulated profiles (table_bytes).
-    /// `first_too`: a model whose solution takes seconds spreads its first one as well; until progress() is 1 views have
-    /// nothing to show.
+    /// reads: memory of one more transmittance table, and of the tabulated profiles (table_bytes); of `bruneton`, which shows
+    /// the old air whole meanwhile, one more set of all tables. `first_too`: a model whose solution takes seconds spreads its
+    /// first one as well; until that one is complete views have nothing to show.
     void set_multi_scatter_passes_per_frame(int passes, bool first_too = false);
 
     /// Frame number, in the host's counting, of the recording that follows: objects replaced by set_* die after it. Any number;
@@ -241,10 +241,11 @@ public:
     /// AUREOLE_SPEC_<id> <value>" lines that go before it, and what to bind beside the tables. Valid until the structure of the
     /// air changes (set_parameters).
     [[nodiscard]] std::string shader_defines() const;
-    [[nodiscard]] rhi::Buffer air_block() const noexcept;       ///< Uniform block, State::constants after the first record.
-    [[nodiscard]] rhi::Buffer view_block() const noexcept;      ///< Uniform block, State::constants after the first record.
-    [[nodiscard]] rhi::Texture phase_table() const noexcept;    ///< State::sampled after Atmosphere::record.
-    [[nodiscard]] rhi::Texture profile_table() const noexcept;  ///< State::sampled after Atmosphere::record. For aureole_march.
+    [[nodiscard]] rhi::Buffer view_block() const noexcept;  ///< Uniform block, State::constants after the first record.
+    /// Uniform block, State::constants once there is something to show (Atmosphere::progress). Of the air that is shown.
+    [[nodiscard]] rhi::Buffer air_block() const noexcept;
+    [[nodiscard]] rhi::Texture phase_table() const noexcept;    ///< Likewise State::sampled.
+    [[nodiscard]] rhi::Texture profile_table() const noexcept;  ///< Likewise State::sampled. For aureole_march.
 
     struct Impl;
     [[nodiscard]] Impl& impl() const noexcept { return *impl_; }

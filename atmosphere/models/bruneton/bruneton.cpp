@@ -1,11 +1,13 @@
 #include "models/bruneton/bruneton.h"
 
 #include "module/requirements.h"
+#include "sky_view/sky_view.h"
 
 #include "aureole_atmosphere_shaders.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -27,6 +29,30 @@ QualitySettings quality_of(const BrunetonSettings& settings) {
     return quality;
 }
 
+bool is_molecules(const DensityTerm& term) { return std::holds_alternative<RayleighPhase>(term.phase); }
+
+/// The red, green and blue that air scatters, against what its molecules alone do, per vertical optical depth: the same ratio
+/// for all three within a tenth. Most of layer 0 is light scattered once by molecules, or more than once by anything; where the
+/// latter has another colour, green and blue of the aerosol's light are guessed from a wrong one.
+bool scatters_as_molecules(const AtmosphereParameters& parameters) {
+    AtmosphereParameters all = parameters;
+    for (DensityTerm& term : all.terms) term.absorption_per_m = Rgb(0);
+    AtmosphereParameters molecules = all;
+    std::erase_if(molecules.terms, [](const DensityTerm& term) { return !is_molecules(term); });
+    const Rgb whole = vertical_optical_depth(all), part = vertical_optical_depth(molecules);
+    const auto alike = [&](int c) {
+        const double here = whole[c] * part.r, red = whole.r * part[c];
+        return here > 0 && red > 0 && here <= 1.1 * red && red <= 1.1 * here;
+    };
+    return alike(1) && alike(2);
+}
+
+/// Air of molecules and one other phase function, which leaves the colours nearly as they are.
+bool combines(const BrunetonSettings& settings, const AirResources& shared, const AtmosphereParameters& parameters) {
+    return settings.combined && !shared.summed && shared.air.phase_count == 2 && std::popcount(shared.air.sharp_phases) == 1 &&
+           scatters_as_molecules(parameters);
+}
+
 class BrunetonModel final : public Model {
 public:
     explicit BrunetonModel(const BrunetonSettings& settings) : settings_(settings), quality_(quality_of(settings)) {
@@ -44,13 +70,16 @@ public:
         const rhi::Capabilities& limits = device.capabilities();
         require_size("device.max_texture_2d", limits.max_texture_2d, std::max(s.transmittance.width, s.transmittance.height));
         const int directions = s.sampling == models::BrunetonSampling::published ? 256 : 2 * s.zenith_nodes * s.azimuth_nodes;
-        const int most_layers = 1 + AtmosphereParameters::max_phase_functions;
-        require_size("device.max_texture_3d", limits.max_texture_3d,
-                     static_cast<std::uint32_t>(std::max({s.nu_nodes * s.sun_nodes, s.view_nodes, directions,
-                                                          s.altitude_nodes * (s.combined ? 1 : most_layers)})));
+        // One layer of altitudes; make_air knows how many there are.
+        require_size(
+            "device.max_texture_3d", limits.max_texture_3d,
+            static_cast<std::uint32_t>(std::max({s.nu_nodes * s.sun_nodes, s.view_nodes, directions, s.altitude_nodes})));
     }
     [[nodiscard]] std::unique_ptr<ModelAir> make_air(AirResources& shared,
                                                      const AtmosphereParameters& parameters) const override {
+        const std::uint32_t layers = combines(settings_, shared, parameters) ? 1 : layers_with_sharp_phases(shared.air);
+        require_size("device.max_texture_3d", shared.objects.device().capabilities().max_texture_3d,
+                     static_cast<std::uint32_t>(settings_.altitude_nodes) * layers);
         return std::make_unique<BrunetonAir>(shared, parameters, settings_);
     }
 
@@ -58,9 +87,6 @@ private:
     BrunetonSettings settings_;
     QualitySettings quality_;
 };
-
-/// Molecules, which come first, and one other phase function.
-bool can_combine(const AirStructure& air) { return air.phase_count == 2 && air.sharp_phases == 2U; }
 
 /// `A` of the sun's axis (bruneton.glsl): how long the ray from the ground towards the lowest sun is.
 double longest_sun_ray(const Planet& planet, double lowest_sun_deg) {
@@ -78,22 +104,21 @@ double longest_sun_ray(const Planet& planet, double lowest_sun_deg) {
 glm::dvec2 colour_ratio(const AtmosphereParameters& parameters) {
     Rgb molecules(0), aerosol(0);
     for (const DensityTerm& term : parameters.terms)
-        (std::holds_alternative<RayleighPhase>(term.phase) ? molecules : aerosol) +=
-            term.scattering_per_m * term.scattering_scale;
+        (is_molecules(term) ? molecules : aerosol) += term.scattering_per_m * term.scattering_scale;
     const auto over = [](double a, double b) { return b > 0 ? a / b : 0.0; };
     return {over(aerosol.g * molecules.r, aerosol.r * molecules.g), over(aerosol.b * molecules.r, aerosol.r * molecules.b)};
 }
 
 }  // namespace
 
-BrunetonAir::BrunetonAir(AirResources& shared, const AtmosphereParameters&, const BrunetonSettings& settings)
+BrunetonAir::BrunetonAir(AirResources& shared, const AtmosphereParameters& parameters, const BrunetonSettings& settings)
     : shared_(shared),
       settings_(settings),
-      combined_(settings.combined && can_combine(shared.air) && !shared.summed),
-      transmittance_(shared, transmittance_kernel(shared.quality)),
+      combined_(combines(settings, shared, parameters)),
+      transmittance_(shared, transmittance_kernel(shared.quality), copied_to),
       solution_(shared, settings, combined_),
       front_(solution_.make_tables(shared.objects, transmittance_.table(), copied_to)),
-      front_bindings_(solution_.bind(shared.objects, front_)) {
+      front_bindings_(solution_.bind(shared, front_)) {
     if (settings.slices_per_frame > 0) back_ = make_back();
 }
 
@@ -105,10 +130,14 @@ void BrunetonAir::complete(const AtmosphereParameters& parameters, AtmosphereBlo
                          static_cast<float>(ratio.x), static_cast<float>(ratio.y)};
 }
 
+bool BrunetonAir::fits(const AtmosphereParameters& parameters) const {
+    return combines(settings_, shared_, parameters) == combined_;
+}
+
 void BrunetonAir::restart(const AtmosphereParameters&, const AtmosphereBlock& before, const AtmosphereBlock& fresh) {
-    const bool same_axes =
-        fresh.radii == before.radii && fresh.sun_mapping.x == before.sun_mapping.x && fresh.tables.z == before.tables.z;
-    fits_ = fits_ && same_axes;
+    const bool same_planet = fresh.radii == before.radii;
+    fits_ = fits_ && same_planet;
+    working_ = working_ && same_planet;
     stale_ = true;
 }
 
@@ -119,6 +148,9 @@ void BrunetonAir::invalidate() noexcept {
     forget(front_.irradiance);
     if (back_) {
         back_->transmittance->invalidate();
+        forget(back_->block);
+        forget(back_->profiles);
+        forget(back_->phases);
         forget(back_->tables.scattering);
         forget(back_->tables.irradiance);
     }
@@ -129,12 +161,17 @@ void BrunetonAir::invalidate() noexcept {
 std::unique_ptr<BrunetonAir::Back> BrunetonAir::make_back() const {
     auto back = std::make_unique<Back>();
     back->objects = shared_.objects.sibling();
-    back->shared.emplace(AirResources{*back->objects, shared_.air, shared_.quality, shared_.block, shared_.profile_table,
-                                      shared_.phase_table, shared_.has_profiles, shared_.linear, shared_.nearest,
-                                      shared_.summed});
+    back->block = back->objects->constants("bruneton air", sizeof(AtmosphereBlock));
+    const auto table = [&](const char* name, const TrackedTexture& like) {
+        return back->objects->texture({name, like.dimension, like.format, like.extent, rhi::Usage::sampled | copied_to});
+    };
+    back->profiles = table("bruneton profiles", shared_.profile_table);
+    back->phases = table("bruneton phases", shared_.phase_table);
+    back->shared.emplace(AirResources{*back->objects, shared_.air, shared_.quality, back->block, back->profiles, back->phases,
+                                      shared_.has_profiles, shared_.linear, shared_.nearest, shared_.summed});
     back->transmittance.emplace(*back->shared, transmittance_kernel(shared_.quality));
     back->tables = solution_.make_tables(*back->objects, back->transmittance->table(), rhi::Usage::copy_source);
-    back->bindings = solution_.bind(*back->objects, back->tables);
+    back->bindings = solution_.bind(*back->shared, back->tables);
     return back;
 }
 
@@ -161,11 +198,20 @@ double BrunetonAir::progress() const noexcept {
 
 std::uint64_t BrunetonAir::more_texture_bytes() const noexcept { return back_ ? back_->objects->texture_bytes() : 0; }
 
+bool BrunetonAir::in_parts() const noexcept {
+    const bool first_in_parts = !shown_ && (settings_.slices_per_frame > 0 || first_too_);
+    return budget() > 0 && back_ && (fits_ || first_in_parts);
+}
+
+NewAir BrunetonAir::new_air() const noexcept {
+    if (!in_parts()) return NewAir::shown;
+    return working_ ? NewAir::later : NewAir::apart;
+}
+
 bool BrunetonAir::record(rhi::CommandList& commands, const AtmosphereBlock&, std::span<PassReport> reports,
                          TimestampSlots timestamps) {
     if (!stale_ && !working_) return false;
-    const bool first_in_parts = !shown_ && (settings_.slices_per_frame > 0 || first_too_);
-    if (budget() > 0 && back_ && (fits_ || first_in_parts)) return solve_a_part(commands, reports, timestamps);
+    if (in_parts()) return solve_a_part(commands, reports, timestamps);
     solve_at_once(commands, reports, timestamps);
     return true;
 }
@@ -181,7 +227,7 @@ void BrunetonAir::solve_at_once(rhi::CommandList& commands, std::span<PassReport
 }
 
 bool BrunetonAir::solve_a_part(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps) {
-    if (stale_) {
+    if (!working_) {
         back_->transmittance->record(commands, reports[0], timestamps, 0);
         solution_.start();
         working_ = true;
@@ -193,18 +239,14 @@ bool BrunetonAir::solve_a_part(rhi::CommandList& commands, std::span<PassReport>
         solution_.advance(commands, scope, reports[1], back_->tables, back_->bindings, budget());
     }
     if (!solution_.finished()) return false;
-    show(commands, reports, timestamps);
+    show(commands);
     return true;
 }
 
-void BrunetonAir::show(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps) {
-    transmittance_.record(commands, reports[0], timestamps, 0);  // as the back one: the air has not changed since
-    for (TrackedTexture BrunetonTables::*table : {&BrunetonTables::scattering, &BrunetonTables::irradiance}) {
-        TrackedTexture &from = back_->tables.*table, &to = front_.*table;
-        move(commands, {{&from, rhi::State::copy_source}, {&to, rhi::State::copy_destination}});
-        commands.copy(rhi::TextureToTexture{from.handle, to.handle});
-        move(commands, {{&from, rhi::State::sampled}, {&to, rhi::State::sampled}});
-    }
+void BrunetonAir::show(rhi::CommandList& commands) {
+    copy_texture(commands, back_->transmittance->table(), transmittance_.table());
+    copy_texture(commands, back_->tables.scattering, front_.scattering);
+    copy_texture(commands, back_->tables.irradiance, front_.irradiance);
     working_ = false;
     shown_ = fits_ = true;
 }

@@ -16,7 +16,10 @@ public:
     [[nodiscard]] std::span<const std::string_view> passes() const noexcept override;
     void complete(const AtmosphereParameters& parameters, AtmosphereBlock& block) const noexcept override;
     void restart(const AtmosphereParameters& parameters, const AtmosphereBlock& before, const AtmosphereBlock& fresh) override;
+    [[nodiscard]] bool fits(const AtmosphereParameters& parameters) const override;
     void invalidate() noexcept override;
+    [[nodiscard]] NewAir new_air() const noexcept override;
+    [[nodiscard]] AirResources* apart() noexcept override { return back_ ? &*back_->shared : nullptr; }
     bool record(rhi::CommandList& commands, const AtmosphereBlock& block, std::span<PassReport> reports,
                 TimestampSlots timestamps) override;
     [[nodiscard]] bool ready() const noexcept override { return shown_; }
@@ -34,9 +37,11 @@ public:
     [[nodiscard]] TrackedTexture& irradiance() noexcept { return front_.irradiance; }
 
 private:
-    /// A second set of tables, in which a solution grows over frames.
+    /// A second set of tables, in which a solution grows over frames, with the air that it is for.
     struct Back {
         std::unique_ptr<Objects> objects;
+        TrackedBuffer block;
+        TrackedTexture profiles, phases;
         std::optional<AirResources> shared;
         std::optional<TransmittancePass> transmittance;
         BrunetonTables tables;
@@ -44,10 +49,11 @@ private:
     };
     [[nodiscard]] std::unique_ptr<Back> make_back() const;
     [[nodiscard]] int budget() const noexcept;
+    [[nodiscard]] bool in_parts() const noexcept;
     void solve_at_once(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps);
     /// True if the tables in use have changed.
     bool solve_a_part(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps);
-    void show(rhi::CommandList& commands, std::span<PassReport> reports, TimestampSlots timestamps);
+    void show(rhi::CommandList& commands);
 
     AirResources& shared_;
     models::BrunetonSettings settings_;
@@ -60,9 +66,9 @@ private:
     int passes_per_frame_ = 0;
     bool first_too_ = false;
     bool stale_ = true;     // a solution for the air as it is has not been started
-    bool working_ = false;  // one has been, in the back tables
+    bool working_ = false;  // one has been, in the back tables, for this air or for one before
     bool shown_ = false;    // the front tables hold a solution
-    bool fits_ = false;     // on the axes of the air as it is
+    bool fits_ = false;     // of a planet of the same radii, by which views place their rays
 };
 
 class BrunetonView final : public ModelView {

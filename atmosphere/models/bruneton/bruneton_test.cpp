@@ -1,7 +1,5 @@
 // The model bruneton on every backend: the same tables, at once and spread over frames.
-#include "models/bruneton/bruneton.h"
-
-#include "module/air.h"
+#include "models/bruneton/small_test.h"
 
 #include <doctest/doctest.h>
 
@@ -12,35 +10,9 @@ using namespace aureole;
 using namespace aureole::passes;
 using models::BrunetonSampling;
 using models::BrunetonSettings;
+using namespace aureole::bruneton_test;
 
 namespace {
-
-BrunetonSettings small() {
-    BrunetonSettings s;
-    s.transmittance = {40, 12, 1};
-    s.irradiance = {11, 5, 1};
-    s.altitude_nodes = 5;
-    s.view_nodes = 14;
-    s.sun_nodes = 9;
-    s.nu_nodes = 4;
-    s.orders = 3;
-    s.format = rhi::Format::rgba32_float;
-    s.ray_nodes = 5;
-    s.zenith_nodes = 3;
-    s.azimuth_nodes = 5;
-    return s;
-}
-
-Setup setup_of(const char* preset, const BrunetonSettings& settings) {
-    Setup setup;
-    setup.air = presets::by_name(preset);
-    setup.model = models::bruneton(settings);
-    return setup;
-}
-
-detail::BrunetonAir& model_of(AirRig& rig) { return dynamic_cast<detail::BrunetonAir&>(*rig.air.impl().tables->model); }
-Image scattering(AirRig& rig) { return rig.backend.read(model_of(rig).scattering().handle); }
-Image irradiance(AirRig& rig) { return rig.backend.read(model_of(rig).irradiance().handle); }
 
 template <class R, class Read>
 Images read_all(Trio<R>& trio, const Read& read) {

@@ -54,7 +54,7 @@ struct Passes {
           solution((rig.record_air(), rig.air.impl().tables->shared), settings, false),
           transmittance{rig.air.transmittance_table(), rhi::State::sampled, settings.transmittance},
           tables(solution.make_tables(rig.air.impl().tables->objects, transmittance, {})),
-          sets(solution.bind(rig.air.impl().tables->objects, tables)) {
+          sets(solution.bind(rig.air.impl().tables->shared, tables)) {
         advance(settings.altitude_nodes);  // light scattered once
     }
     void advance(int units) {

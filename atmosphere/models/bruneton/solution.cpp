@@ -81,21 +81,21 @@ BrunetonTables BrunetonSolution::make_tables(Objects& objects, TrackedTexture& t
     return tables;
 }
 
-BrunetonSolution::Bindings BrunetonSolution::bind(Objects& objects, const BrunetonTables& tables) const {
-    const rhi::Binding air{0, {}, {}, shared_.block.handle};
+BrunetonSolution::Bindings BrunetonSolution::bind(const AirResources& from, const BrunetonTables& tables) const {
+    const rhi::Binding air{0, {}, {}, from.block.handle};
     const rhi::Binding rays{1, {}, {}, ray_quadrature_.handle}, zeniths{1, {}, {}, zenith_quadrature_.handle};
-    const rhi::Binding profiles{2, shared_.profile_table.handle, shared_.nearest, {}};
+    const rhi::Binding profiles{2, from.profile_table.handle, shared_.nearest, {}};
     const rhi::Binding scattering{2, tables.scattering.handle, shared_.linear, {}};
     const rhi::Binding transmittance{3, tables.transmittance->handle, shared_.linear, {}};
     const rhi::Binding irradiance{4, tables.irradiance.handle, shared_.linear, {}};
-    const rhi::Binding phases{7, shared_.phase_table.handle, shared_.nearest, {}};
+    const rhi::Binding phases{7, from.phase_table.handle, shared_.nearest, {}};
     const auto set = [&](const char* name, rhi::Pipeline pipeline, const rhi::Shader& shader,
                          std::initializer_list<rhi::Binding> slots) {
         std::vector<rhi::Binding> used;
         for (const rhi::Binding& binding : slots)
             if (std::ranges::any_of(shader.slots, [&](const rhi::SlotDesc& slot) { return slot.slot == binding.slot; }))
                 used.push_back(binding);
-        return objects.bindings(name, pipeline, used);
+        return from.objects.bindings(name, pipeline, used);
     };
     const rhi::Binding source{4, source_.handle, shared_.linear, {}};
     const rhi::Binding scattering_out{6, tables.scattering.handle, {}, {}};

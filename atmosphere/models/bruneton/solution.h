@@ -27,7 +27,7 @@ public:
     struct Bindings {
         rhi::BindingSet first_scattering, next_scattering, irradiance, arriving, density;
     };
-    [[nodiscard]] Bindings bind(Objects& objects, const BrunetonTables& tables) const;
+    [[nodiscard]] Bindings bind(const AirResources& from, const BrunetonTables& tables) const;
 
     /// Tables of this model, apart from transmittance.
     [[nodiscard]] BrunetonTables make_tables(Objects& objects, TrackedTexture& transmittance, rhi::Usage more) const;

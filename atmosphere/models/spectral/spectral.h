@@ -37,6 +37,8 @@ public:
     [[nodiscard]] bool ready() const noexcept override;
     [[nodiscard]] bool due() const noexcept override;
     [[nodiscard]] double progress() const noexcept override;
+    /// As of every wavelength's: they have the same structure and go in step. The block here is shown with their tables.
+    [[nodiscard]] NewAir new_air() const noexcept override { return airs_.front()->model->new_air(); }
     void spread(int passes_per_frame, bool first_too) override;
     [[nodiscard]] std::uint64_t more_texture_bytes() const noexcept override;
     [[nodiscard]] std::unique_ptr<ModelView> make_view(ViewResources& shared, const ViewSettings& settings) override;

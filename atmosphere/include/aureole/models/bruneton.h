@@ -27,7 +27,9 @@ struct BrunetonSettings {
     int orders = 4;  ///< Scatterings, in [1, 64]: 1 is single scattering alone, 4 within about 1 % of all by day.
     /// One texture instead of two or more: the red of the aerosol's single scattering in the fourth component, the rest of it
     /// extrapolated from the molecules' (Bruneton 2008, section 4). For air of molecules (RayleighPhase) and one other phase
-    /// function; other air gets separate textures all the same. Half the memory; errors near sunset.
+    /// function, where the ratio of the vertical scattering depths of all to that of the molecules is the same for red, green
+    /// and blue within a tenth (clear Earth); other air (haze, Mars), and sums of several wavelengths, get separate textures
+    /// all the same, and a change from the one to the other is a change of the structure. Half the memory; errors near sunset.
     bool combined = false;
     rhi::Format format = rhi::Format::rgba16_float;  ///< Of the 4D tables: rgba16_ or rgba32_float.
 
@@ -45,10 +47,11 @@ struct BrunetonSettings {
     /// Atmosphere::record, and each of the orders - 1 passes over the field of arriving light counts as one more, though it is
     /// recorded whole at any budget; 0: all at once. In [0, 1000000]. With a budget the tables in use stay complete, and what
     /// is shown changes when the new ones are: a second set is kept (table_bytes). Views have nothing to show before the first
-    /// solution is complete (Atmosphere::progress); other planet's radii are solved at once; a change meanwhile starts anew.
+    /// solution is complete (Atmosphere::progress). A change meanwhile waits until the solution in work is shown; other
+    /// planet's radii are solved at once.
     int slices_per_frame = 0;
 
-    [[nodiscard]] static BrunetonSettings low();        ///< 16 x 64 x 24 x 8 nodes, combined.
+    [[nodiscard]] static BrunetonSettings low();        ///< 16 x 64 x 24 x 8 nodes, combined where the air allows.
     [[nodiscard]] static BrunetonSettings standard();   ///< "default": the author's sizes, in separate textures, our sampling.
     [[nodiscard]] static BrunetonSettings high();       ///< Twice the nodes of mu_s, eight orders.
     [[nodiscard]] static BrunetonSettings published();  ///< As the author's demonstration: combined, half, his sampling.

@@ -108,7 +108,7 @@ TEST_CASE("light: the first coefficient is the mean of what the composite shows 
     for (const double elevation : {70.0, 20.0, 2.0}) {
         CAPTURE(elevation);
         rig.record_view(camera, sun_at(elevation));
-        const rhi::Extent size{128, 64, 1};
+        const rhi::Extent size{512, 256, 1};
         const Image picture = rig.show(size);
         const glm::dvec4 first = rig.light().at(0, 0);
         for (int channel = 0; channel < 3; ++channel) {

@@ -54,14 +54,16 @@ const rhi::Shader& CompositePass::shader(std::size_t run) const noexcept {
 void CompositePass::make_pipelines(bool given_directions) {
     std::vector<rhi::Pipeline>(&pair)[2] = pipelines_[given_directions ? 1 : 0];
     for (const bool from_space : {false, true}) {
-        std::vector<rhi::Pipeline>& pipelines = pair[from_space ? 1 : 0];
-        if (!pipelines.empty() || (from_space && kernels_.space_constant == 0)) continue;
+        std::vector<rhi::Pipeline>& kept = pair[from_space ? 1 : 0];
+        std::vector<rhi::Pipeline> pipelines;  // all of them, or none
+        if (!kept.empty() || (from_space && kernels_.space_constant == 0)) continue;
         for (std::size_t run = 0; run < runs_.size(); ++run) {
             Specialize values = specialization(runs_[run], given_directions, from_space);
             values.set(53, run == ground_runs_ && run > 0);
             pipelines.push_back(draws(run) ? shared_.objects.raster(shader(run), values.values(), settings_.target_format)
                                            : shared_.objects.compute(shader(run), values.values()));
         }
+        kept = std::move(pipelines);
     }
 }
 

@@ -1,5 +1,5 @@
-// What every light kernel reads, whichever model's sky it is. Slots 2 to 4, 10, 11 and from 15 on are the model's: 10 the profile
-// table (AUREOLE_PROFILE_TABLE), if it marches.
+// What every light kernel reads, whichever model's sky it is. Slots 2 to 4, 10, 11 and from 16 on are the model's (14: light.glsl,
+// 15: triplet.glsl): 10 the profile table (AUREOLE_PROFILE_TABLE), if it marches.
 #ifndef AUREOLE_LIGHT_INPUTS_GLSL
 #define AUREOLE_LIGHT_INPUTS_GLSL
 

@@ -44,7 +44,10 @@ void require_tables(const rhi::Device& device, const QualitySettings& quality) {
     require_table(device, rhi::Format::rgba16_float, rhi::Dimension::d2);
     require_table(device, quality.froxel_format, rhi::Dimension::d3);
     const std::uint32_t moments = moment_count(quality.angular_order);
-    const auto directions = static_cast<std::uint32_t>(2 * quality.multi_scatter_zenith * quality.multi_scatter_azimuth);
+    // The most that an air may get (Model::quality_for).
+    const int least = quality.angular_order_as_needed ? quality.angular_order + 2 : 0;
+    const auto directions = static_cast<std::uint32_t>(2 * std::max(quality.multi_scatter_zenith, least) *
+                                                       std::max(quality.multi_scatter_azimuth, least));
     const std::uint32_t widest =
         std::max({quality.transmittance.width, quality.transmittance.height, quality.multi_scatter.width,
                   quality.multi_scatter.height * moments + 1, quality.sky_view.width, quality.sky_view.height,

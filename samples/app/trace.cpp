@@ -227,9 +227,19 @@ TraceResult Tracer::result(std::size_t row) const {
 bool Tracer::reached(std::size_t row) const { return relative_error(result(row).all) <= settings_.error; }
 
 void Tracer::restore(std::vector<TraceState> states) {
-    const auto fits = [&](const TraceState& state) { return state.tallies.size() == tally_count(settings_); };
+    constexpr std::uint64_t most_rounds = std::uint64_t{1'000'000'000'000} / trace_round_paths;
+    const auto in_range = [](const Tally& tally) {
+        for (int c = 0; c < 3; ++c)
+            if (!std::isfinite(tally.mean[c]) || !std::isfinite(tally.spread[c]) || tally.spread[c] < 0) return false;
+        return true;
+    };
+    const auto fits = [&](const TraceState& state) {
+        return state.tallies.size() == tally_count(settings_) && state.rounds <= most_rounds &&
+               std::ranges::all_of(state.tallies, in_range);
+    };
     if (states.size() != rows_.size() || !std::ranges::all_of(states, fits))
-        throw Error(ErrorCode::invalid_argument, "states", "others", "as many as there are rows, with as many orders");
+        throw Error(ErrorCode::invalid_argument, "states", "others",
+                    "as many as there are rows, with as many orders, of finite numbers");
     states_ = std::move(states);
 }
 

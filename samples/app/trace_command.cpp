@@ -45,7 +45,10 @@ public:
         struct sigaction action {};
         action.sa_handler = note_interrupt;
         action.sa_flags = static_cast<int>(SA_RESETHAND);
-        for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &action, &before_[i]);
+        for (std::size_t i = 0; i < signals.size(); ++i) {
+            ::sigaction(signals[i], &action, &before_[i]);
+            if (before_[i].sa_handler == SIG_IGN) ::sigaction(signals[i], &before_[i], nullptr);  // as nohup leaves them
+        }
     }
     ~Interrupts() {
         for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &before_[i], nullptr);
@@ -184,6 +187,9 @@ void run_trace(TraceOptions options) {
         scene.atmosphere = presets::by_name(options.preset);
     options.settings.spectral = options.spectral.empty() ? scene.model.spectral : options.spectral;
     const std::vector<ProbeRow> rows = rows_of(options);
+    if (!options.checkpoint.empty() &&
+        std::filesystem::weakly_canonical(options.checkpoint) == std::filesystem::weakly_canonical(options.output))
+        throw Error(ErrorCode::invalid_argument, "--checkpoint", options.checkpoint.string(), "another file than --output");
     { const NewFile writable(options.output); }
     if (!options.checkpoint.empty() && !options.resume && std::filesystem::exists(options.checkpoint))
         throw Error(ErrorCode::invalid_argument, "--checkpoint", options.checkpoint.string() + ", which is there",

@@ -92,7 +92,8 @@ TEST_CASE("sun disk: through air its integral is the sun colour that hosts are g
         const Sun sun = sun_of(zenith * degree, 0.004675, LimbDarkening::neckel94);
         with.stand(500, sun);
         without.stand(500, sun);
-        check_rgb(disk_integral(with, without, sun), Rgb(with.light()[9]), 5e-3);
+        // Light is dimmed as the disk's centre is; near the horizon its lower half loses more than its upper half gains.
+        check_rgb(disk_integral(with, without, sun), Rgb(with.light()[9]), zenith > 85 ? 0.018 : 5e-3);
     }
 }
 

@@ -22,7 +22,8 @@ struct QualitySettings {
     rhi::Extent multi_scatter{24, 12, 1};  ///< Sun-cosine x altitude nodes. Each in [2, 256].
     int angular_order = 4;                 ///< L of the moments: 0 (mean alone), 2, 4, 6 or 8; (L+1)(L+2)/2 layers.
     bool angular_order_as_needed = true;   ///< Take a lower order for air that makes no use of more (angular_order.h), and
-                                           ///< more directions where the order is high: set_parameters may then make pipelines.
+                                           ///< more directions where the order is high (at least
+                                           ///< angular_order + 2 of each): set_parameters may then make pipelines.
     int multi_scatter_zenith = 5;          ///< Gauss directions on each side of the horizon, in [2, 16].
     int multi_scatter_azimuth = 4;         ///< Directions on a half circle, in [2, 32].
     int multi_scatter_nodes = 8;           ///< Gauss nodes a ray for light scattered once, in [2, 16].

@@ -22,7 +22,8 @@ struct ShadowSettings {
     static constexpr std::uint32_t max_cascades = 4;
 
     std::uint32_t cascades = 0;    ///< In the map, in [0, 4]. 0: no shadows, no pass, the same bits as ever.
-    double distance_m = 8000;      ///< Beyond it everything is lit. In [1e-3, 1e13].
+    double distance_m = 8000;      ///< Beyond it all air is lit; shadows on the bare ground reach as far as the
+                                   ///< map. In [1e-3, 1e13].
     rhi::Extent size{48, 48, 32};  ///< Screen x screen x slices of the volume of losses. Each in [2, 256].
     std::uint32_t samples = 4;     ///< Of the map in each slice, in [1, 64]: what their number costs in error says shadows.md.
 };

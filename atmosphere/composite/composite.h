@@ -52,12 +52,12 @@ private:
     [[nodiscard]] rhi::BindingSet bind(const Prepared& prepared, std::size_t run, rhi::Texture shadow_map) const;
     void check(const CompositeTargets& targets) const;
     void check_sizes(const CompositeTargets& targets) const;
+    [[nodiscard]] std::vector<rhi::Binding> tables(std::size_t run) const;
 
     ViewResources& shared_;
     const ModelKernels& kernels_;
     const ShadowPass& shadows_;
     CompositeSettings settings_;
-    [[nodiscard]] std::vector<rhi::Binding> tables(std::size_t run) const;
     std::size_t ground_runs_;  // of ground_loss.comp.glsl, before the composite's own
     // Of ground_loss, and of a composite: one, or one for each triplet of wavelengths.
     std::vector<TripletKernels> runs_;

@@ -35,11 +35,9 @@ int scattering_layers() { return COMBINED ? 1 : scattering_layers_apart(); }
 // the two halves of the axis must not mix. Rows 0 to n/2 - 1: ground, from the horizon to the nadir; then from the zenith to the
 // horizon.
 real mu_position(real altitude, real mu, bool ground) {
-    real rho = horizon_distance(altitude);
-    real least = ground ? altitude : shell_thickness() - altitude;
-    real most = ground ? rho : rho + atm.radii.w;
-    real d = distance_to_altitude(altitude, mu, ground ? real(0) : shell_thickness(), !ground);
-    return clamp((d - least) / max(most - least, real(1e-20)), real(0), real(1));
+    if (!ground) return transmittance_position(altitude, mu).x;
+    real length_range = max(horizon_distance(altitude) - altitude, real(1e-20));
+    return clamp((distance_to_ground(altitude, mu) - altitude) / length_range, real(0), real(1));
 }
 real row_at(real position, bool ground, int rows) {
     real last = real(rows / 2 - 1);

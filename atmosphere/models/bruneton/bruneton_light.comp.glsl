@@ -9,7 +9,8 @@ SAMPLER_3D(2, scattering_table)
 SAMPLER_2D(3, transmittance_table)
 SAMPLER_2D(4, irradiance_table)
 
-#include "models/bruneton/bruneton_camera.glsl"
+#include "common/view_ray.glsl"
+#include "models/bruneton/bruneton_rays.glsl"
 
 vec3 smooth_sky_radiance(int sun, real mu, real sine, real, real nu) {
     ViewDirection v;

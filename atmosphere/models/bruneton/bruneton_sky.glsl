@@ -12,7 +12,8 @@ SAMPLER_2D(4, irradiance_table)
 SAMPLER_2D(11, view_table)
 SAMPLER_2D(17, view_depth_table)
 
-#include "models/bruneton/bruneton_camera.glsl"
+#include "common/view_ray.glsl"
+#include "models/bruneton/bruneton_rays.glsl"
 #include "models/bruneton/bruneton_view_table.glsl"
 
 SPEC_BOOL(42, FROM_SPACE, false)  // ModelKernels::space_constant

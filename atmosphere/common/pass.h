@@ -154,6 +154,8 @@ struct AirResources {
     bool has_profiles;  ///< False: one texel stands in for the profile table.
     rhi::Sampler linear, nearest;
     bool summed = false;  ///< Tables are added to those of other wavelengths: colours in them must not depend on each other.
+    /// Greatest order_ratio among airs whose tables are added up: solutions that are spread over frames are ready together.
+    double slowest_order_ratio = 0;
 };
 
 }  // namespace aureole::detail

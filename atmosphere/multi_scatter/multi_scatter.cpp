@@ -55,6 +55,9 @@ MultiScatterPass::MultiScatterPass(AirResources& shared, TrackedTexture& transmi
 }
 
 int MultiScatterPass::passes_wanted() const noexcept { return passes_for(ratio_, shared_.quality.multi_scatter_orders); }
+int MultiScatterPass::passes_of_slowest() const noexcept {
+    return passes_for(std::max(ratio_, shared_.slowest_order_ratio), shared_.quality.multi_scatter_orders);
+}
 
 MultiScatterPass::Inputs MultiScatterPass::live() const {
     return {shared_.block.handle, shared_.profile_table.handle, transmittance_.handle};
@@ -191,7 +194,7 @@ void MultiScatterPass::fill_copy(rhi::CommandList& commands, const AtmosphereBlo
 void MultiScatterPass::start(rhi::CommandList& commands, const AtmosphereBlock& block, bool from_copy) {
     passes_ = passes_wanted();
     greatest_ratio_ = static_cast<float>(greatest_ratio(ratio_));
-    next_ = 0;
+    next_ = from_copy ? passes_ - passes_of_slowest() : 0;
     stale_ = false;
     reads_ = from_copy ? &copy_->bindings : &live_;
     if (from_copy) fill_copy(commands, block);
@@ -205,12 +208,13 @@ bool MultiScatterPass::record(rhi::CommandList& commands, const AtmosphereBlock&
         update_block(commands, zenith_quadrature_, zenith_rule_);
     }
     const bool at_once = passes <= 0 || !copy_ || !table_fits_;
-    const bool in_one_go = at_once || passes >= passes_wanted();
+    const bool in_one_go = at_once || passes >= passes_of_slowest();
     if (stale_ && (at_once || next_ >= passes_)) start(commands, block, !in_one_go);
     PassScope scope(commands, report, timestamps, index);
     report.bytes_written = 0;
     const int end = at_once ? passes_ : std::min(passes_, next_ + passes);
     for (; next_ < end; ++next_) {
+        if (next_ < 0) continue;
         record_pass(commands, scope);
         report.bytes_written += rays_.bytes + 2 * table_.bytes;
     }

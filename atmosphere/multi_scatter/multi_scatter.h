@@ -55,6 +55,8 @@ private:
     };
     /// For the newest air.
     [[nodiscard]] int passes_wanted() const noexcept;
+    /// Of all airs whose tables are added up.
+    [[nodiscard]] int passes_of_slowest() const noexcept;
     [[nodiscard]] Inputs live() const;
     void create();
     [[nodiscard]] Bindings bind(Objects& objects, const Inputs& inputs) const;
@@ -64,10 +66,11 @@ private:
 
     AirResources& shared_;
     TrackedTexture& transmittance_;
-    double ratio_;               // of the newest air
-    bool stale_ = true;          // no solution has been started for the newest air
-    bool table_fits_ = false;    // the table can be shown until the next solution is ready
-    int passes_ = 0, next_ = 0;  // of the solution that has been started
+    double ratio_;             // of the newest air
+    bool stale_ = true;        // no solution has been started for the newest air
+    bool table_fits_ = false;  // the table can be shown until the next solution is ready
+    int passes_ = 0,
+        next_ = 0;  // of the solution that has been started; below 0 it waits for slower ones, to be ready with them
     float greatest_ratio_ = 0;
     TrackedTexture table_, rays_, order_[2], sum_[2];
     TrackedBuffer first_quadrature_, later_quadrature_, zenith_quadrature_;

@@ -35,7 +35,10 @@ struct TraceOptions {
 
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
-extern "C" void note_interrupt(int) { interrupted = true; }
+extern "C" void note_interrupt(int) {
+    interrupted = true;
+    remove_unfinished_on_signals();  // at the second one: a checkpoint may be on its way
+}
 
 /// While there is a checkpoint to be written the first signal only ends the work; the second ends the program.
 class Interrupts {

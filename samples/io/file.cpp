@@ -43,19 +43,8 @@ extern "C" void remove_unfinished(int signal) {
     ::raise(signal);
 }
 
-/// Called for every file, for it costs nothing beside one: a handler that the program has set since then is left alone.
-void listen_for_signals() {
-    for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
-        struct sigaction action {};
-        if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
-        action.sa_handler = remove_unfinished;
-        action.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER);
-        ::sigaction(signal, &action, nullptr);
-    }
-}
-
 void remember(const char* name) {
-    listen_for_signals();
+    remove_unfinished_on_signals();  // for every file: it costs nothing beside one
     for (std::atomic<const char*>& slot : unfinished) {
         const char* empty = nullptr;
         if (slot.compare_exchange_strong(empty, name)) return;
@@ -79,6 +68,16 @@ std::filesystem::path beside(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+void remove_unfinished_on_signals() noexcept {
+    for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
+        struct sigaction action {};
+        if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
+        action.sa_handler = remove_unfinished;
+        action.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER);
+        ::sigaction(signal, &action, nullptr);
+    }
+}
 
 std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_t most_bytes) {
     return read_whole<std::vector<std::byte>>(path, most_bytes);

@@ -14,6 +14,10 @@ namespace aureole::app {
 [[nodiscard]] std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_t most_bytes = 1ull << 31);
 [[nodiscard]] std::string read_text(const std::filesystem::path& path, std::uint64_t most_bytes = 1ull << 31);
 
+/// Each of these signals that would end the program as it is removes NewFile's files first, from here on. What every NewFile
+/// does; for handlers of the program's own that give a signal back to the system. May be called by a handler.
+void remove_unfinished_on_signals() noexcept;
+
 /// A file on its way: written under `temporary()` in the same folder, it gets its name in `commit()`. Without that, whatever
 /// has been written is removed again, also when SIGHUP, SIGINT or SIGTERM ends the program (unless the program has a handler of
 /// its own for it, which then has the say).

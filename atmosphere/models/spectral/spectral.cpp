@@ -1,6 +1,7 @@
 #include "models/spectral/spectral.h"
 
 #include "common/check.h"
+#include "multi_scatter/order_ratio.h"
 
 #include <algorithm>
 #include <optional>
@@ -123,11 +124,13 @@ SpectralAir::SpectralAir(AirResources& shared, const AtmosphereParameters& param
       sums_needed_(triplets_.size() > 1 || !is_diagonal(triplets_.front().to_rec709)) {
     if (!settings_.air) settings_.air = models::at_wavelengths;
     std::vector<ModelAir*> models;
-    for (const Triplet& air : at_triplets(parameters)) {
+    const std::vector<Triplet> triplets = at_triplets(parameters);
+    for (const Triplet& air : triplets) {
         airs_.push_back(std::make_unique<AirTables>(shared.objects.device(), shared.objects.frame(), air.parameters, air.packed,
                                                     inner, sums_needed_));
         models.push_back(airs_.back()->model.get());
     }
+    finish_together(triplets);
     inner_reports_.make(models.front()->passes(), models.size());
     if (!sums_needed_) return;
     sums_ = make_sums<ModelAir>(shared.objects, shared.nearest, weights_buffer_, models);
@@ -148,6 +151,12 @@ std::vector<SpectralAir::Triplet> SpectralAir::at_triplets(const AtmosphereParam
         air.packed.block.tables.z = own.block.tables.z;  // what is added up has the same axes
     }
     return result;
+}
+
+void SpectralAir::finish_together(std::span<const Triplet> fresh) {
+    double slowest = 0;
+    for (const Triplet& air : fresh) slowest = std::max(slowest, order_ratio(air.parameters));
+    for (const auto& air : airs_) air->shared.slowest_order_ratio = slowest;
 }
 
 std::span<const std::string_view> SpectralAir::passes() const noexcept {
@@ -171,6 +180,7 @@ bool SpectralAir::fits(const AtmosphereParameters& parameters) const {
 
 void SpectralAir::restart(const AtmosphereParameters& parameters, const AtmosphereBlock&, const AtmosphereBlock&) {
     const std::vector<Triplet> fresh = at_triplets(parameters);
+    finish_together(fresh);
     for (std::size_t k = 0; k < airs_.size(); ++k) airs_[k]->set_numbers(fresh[k].parameters, fresh[k].packed);
 }
 

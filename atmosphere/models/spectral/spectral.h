@@ -63,6 +63,8 @@ private:
         PackedAtmosphere packed;
     };
     [[nodiscard]] std::vector<Triplet> at_triplets(const AtmosphereParameters& rgb) const;
+    /// Solutions that are spread over frames are ready in the same frame, so that what is added up is always of one air.
+    void finish_together(std::span<const Triplet> fresh);
     void record_weights(rhi::CommandList& commands);
 
     AirResources& shared_;

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "models/spectral/pictures_test.h"
+#include "multi_scatter/order_ratio.h"
 #include "passes/dropped_list.h"
 #include "recording/allocations.h"
 
@@ -126,6 +127,39 @@ TEST_CASE("spectral: optical depth is that of the sun's light, and within that o
     }
     INFO(worst);
     CHECK(worst < 1e-4);  // where the sum nearly cancels, weights in float are felt
+}
+
+TEST_CASE("spectral: solutions that are spread over frames are added up when all are ready") {
+    // Thin at long wavelengths, so thick at short ones that these alone would take more passes.
+    const auto dusty = [](double depth) {
+        return [depth](const AtmosphereParameters& rgb, const std::array<double, 3>& nm) {
+            AtmosphereParameters air = rgb;
+            for (int c = 0; c < 3; ++c)
+                air.terms[0].scattering_per_m[c] = depth / 8000 * std::pow(440 / nm[static_cast<std::size_t>(c)], 8);
+            return air;
+        };
+    };
+    const auto cpu = open_cpu_float();
+    const Wavelengths set = spectrum::equal_bins(6);
+    Setup setup = setup_of(models::spectral(models::aureole(exact_quality()), {set, dusty(6)}));
+    std::vector<double> ratios;
+    for (const spectrum::Triplet& triplet : spectrum::triplets(set))
+        ratios.push_back(detail::order_ratio(dusty(6)(setup.air, triplet.nm)));
+    REQUIRE(std::abs(detail::passes_for(ratios[0], 3) - detail::passes_for(ratios[1], 3)) > 1);
+
+    Rig rig(*cpu, setup);
+    rig.air.set_multi_scatter_passes_per_frame(1);
+    rig.record_air();
+    AtmosphereParameters fresh = setup.air;
+    fresh.planet.ground_albedo = Rgb(0.9);
+    rig.air.set_parameters(fresh);
+    std::vector<Image> shown;  // without repetitions: the new ground with the old field, the new field
+    for (int frame = 0; frame < 70; ++frame) {
+        rig.record_air();
+        Image picture = sky(rig, 60);
+        if (shown.empty() || !(shown.back().texels == picture.texels)) shown.push_back(std::move(picture));
+    }
+    CHECK(shown.size() == 2);
 }
 
 TEST_CASE("spectral: every backend shows the same") {

@@ -37,6 +37,7 @@ void check_table_format(const std::string& field, rhi::Format format) {
 void reject_quality(std::string_view name, std::string_view more) {
     std::string known;
     for (const std::string_view one : quality_names()) known.append(known.empty() ? "" : ", ").append(one);
+    known.append(", converged");
     if (!more.empty()) known.append(", ").append(more);
     // Appended piece by piece: with -O3, g++ 12 warns about an insertion at the front of a string (GCC bug 105651).
     reject("quality", std::string("\"").append(name).append("\""), "one of " + known);

@@ -12,8 +12,10 @@ struct Named {
     std::string_view name;
     QualitySettings (*make)();
 };
-constexpr std::array<Named, 3> named{
-    {{"low", &QualitySettings::low}, {"default", &QualitySettings::standard}, {"high", &QualitySettings::high}}};
+constexpr std::array<Named, 4> named{{{"low", &QualitySettings::low},
+                                      {"default", &QualitySettings::standard},
+                                      {"high", &QualitySettings::high},
+                                      {"converged", &QualitySettings::converged}}};
 
 void check_nodes(const char* field, int count) { detail::check(field, count, 2, 16); }
 
@@ -83,6 +85,26 @@ QualitySettings QualitySettings::high() {
     s.sky_view_nodes = 12;
     s.aerial_perspective = {32, 32, 64};
     s.aerial_perspective_nodes = 2;
+    s.froxel_format = rhi::Format::rgba32_float;
+    return s;
+}
+
+QualitySettings QualitySettings::converged() {
+    QualitySettings s;
+    s.name = "converged";
+    s.transmittance = {512, 128, 1};
+    s.transmittance_nodes = 16;
+    s.multi_scatter = {64, 32, 1};
+    s.angular_order = 8;
+    s.angular_order_as_needed = false;
+    s.multi_scatter_zenith = s.multi_scatter_azimuth = 10;
+    s.multi_scatter_nodes = 16;
+    s.multi_scatter_later_nodes = 12;
+    s.multi_scatter_orders = 6;
+    s.sky_view = {192, 768, 1};
+    s.sky_view_nodes = 16;
+    s.aerial_perspective = {64, 64, 128};
+    s.aerial_perspective_nodes = 4;
     s.froxel_format = rhi::Format::rgba32_float;
     return s;
 }

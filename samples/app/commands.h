@@ -13,6 +13,8 @@ void add_render_command(CLI::App& program);
 void add_probe_command(CLI::App& program);
 void add_score_command(CLI::App& program);
 void add_trace_command(CLI::App& program);
+void add_truth_command(CLI::App& program);
+void add_measure_command(CLI::App& program);
 void add_bench_command(CLI::App& program);
 void add_devices_command(CLI::App& program);
 

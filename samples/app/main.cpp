@@ -56,6 +56,8 @@ int main(int argc, char** argv) {
     aureole::app::add_probe_command(program);
     aureole::app::add_score_command(program);
     aureole::app::add_trace_command(program);
+    aureole::app::add_truth_command(program);
+    aureole::app::add_measure_command(program);
     aureole::app::add_bench_command(program);
     aureole::app::add_devices_command(program);
     try {

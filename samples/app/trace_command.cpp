@@ -1,28 +1,21 @@
 #include "app/commands.h"
-#include "app/progress.h"
-#include "app/trace_checkpoint.h"
+#include "app/trace_run.h"
 #include "io/csv.h"
 #include "io/file.h"
 #include "scene/scene.h"
 
 #include <aureole/presets.h>
 
-#include <unistd.h>
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <charconv>
-#include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <memory>
 
 namespace aureole::app {
 namespace {
 
-constexpr std::size_t progress_steps = 1000;
 constexpr int value_digits = 9, error_digits = 4;
-constexpr std::chrono::seconds checkpoint_interval{30};
 
 struct TraceOptions {
     std::filesystem::path scene, directions, output, checkpoint;
@@ -31,37 +24,6 @@ struct TraceOptions {
     bool resume = false;
     TraceSettings settings;
     BackendOptions backend{.name = "cpu-double"};
-};
-
-std::atomic<bool> interrupted{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
-extern "C" void note_interrupt(int) {
-    interrupted = true;
-    remove_unfinished_on_signals();  // at the second one: a checkpoint may be on its way
-}
-
-/// While there is a checkpoint to be written the first signal only ends the work; the second ends the program.
-class Interrupts {
-public:
-    Interrupts() {
-        interrupted = false;
-        struct sigaction action {};
-        action.sa_handler = note_interrupt;
-        action.sa_flags = static_cast<int>(SA_RESETHAND);
-        for (std::size_t i = 0; i < signals.size(); ++i) {
-            ::sigaction(signals[i], &action, &before_[i]);
-            if (before_[i].sa_handler == SIG_IGN) ::sigaction(signals[i], &before_[i], nullptr);  // as nohup leaves them
-        }
-    }
-    ~Interrupts() {
-        for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &before_[i], nullptr);
-    }
-    Interrupts(const Interrupts&) = delete;
-    Interrupts& operator=(const Interrupts&) = delete;
-
-private:
-    static constexpr std::array<int, 3> signals{SIGHUP, SIGINT, SIGTERM};
-    std::array<struct sigaction, 3> before_{};
 };
 
 /// "0.2%" or "0.002".
@@ -131,40 +93,6 @@ std::string print_result(const std::string& comment, const Tracer& tracer, int o
     return text;
 }
 
-/// All that the numbers depend on. Neither the wanted error nor the most paths: with others a trace goes further, or less far.
-TraceParameters parameters_of(const AtmosphereParameters& air, const TraceSettings& settings, Backend& backend) {
-    TraceParameters parameters = describe(air);
-    parameters.emplace_back("spectral", settings.spectral);
-    parameters.emplace_back("orders", std::to_string(settings.orders));
-    parameters.emplace_back("seed", std::to_string(settings.seed));
-    // Threads of a CPU make no difference; another GPU rounds otherwise.
-    parameters.emplace_back("backend", backend.cpu() ? backend.name() : backend.describe());
-    return parameters;
-}
-
-void trace_all(Tracer& tracer, const TraceOptions& options, const TraceParameters& parameters) {
-    Progress progress(progress_steps, stderr, isatty(STDERR_FILENO) == 1);
-    const auto reached = [&] {
-        return std::min(static_cast<std::size_t>(tracer.share() * progress_steps), progress_steps - 1);
-    };
-    progress.start_at(reached());
-    auto written = std::chrono::steady_clock::now();
-    while (tracer.step([] { return interrupted.load(); })) {
-        const auto now = std::chrono::steady_clock::now();
-        if (!options.checkpoint.empty() && (interrupted || now - written >= checkpoint_interval)) {
-            write_checkpoint(options.checkpoint, parameters, tracer);
-            written = std::chrono::steady_clock::now();
-        }
-        if (interrupted)
-            throw Error(ErrorCode::io, "interrupted with " + std::to_string(tracer.done()) + " of " +
-                                           std::to_string(tracer.rows().size()) + " directions done; --resume goes on from " +
-                                           options.checkpoint.string());
-        progress.reach(reached());
-    }
-    if (!options.checkpoint.empty()) write_checkpoint(options.checkpoint, parameters, tracer);
-    progress.reach(progress_steps);
-}
-
 void print_summary(const TraceOptions& options, const Tracer& tracer, Backend& backend) {
     std::uint64_t paths = 0;
     std::size_t short_of = 0;
@@ -206,9 +134,7 @@ void run_trace(TraceOptions options) {
         const TraceParameters parameters = parameters_of(scene.atmosphere, options.settings, *backend);
         Tracer tracer(*backend, scene.atmosphere, rows, options.settings);
         if (options.resume) read_checkpoint(options.checkpoint, parameters, tracer);
-        std::unique_ptr<Interrupts> interrupts;
-        if (!options.checkpoint.empty()) interrupts = std::make_unique<Interrupts>();
-        trace_all(tracer, options, parameters);
+        trace_all(tracer, parameters, options.checkpoint);
         backend->check();
         comment = "aureole trace: " + print_parameters(parameters) + " target_rel=" + print_number(options.settings.error) +
                   " max_paths=" + std::to_string(options.settings.max_paths) +

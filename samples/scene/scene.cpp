@@ -89,18 +89,6 @@ void read_size(Section& root, Scene& scene) {
     scene.height = static_cast<std::uint32_t>((*size)[1]);
 }
 
-void read_spectral(Section& root, SceneModel& model) {
-    const auto reject = [&] { root.reject("spectral", root.printed("spectral"), "\"rgb\", or a whole number in [3, 42]"); };
-    if (root.is_text("spectral")) {
-        if (root.text("spectral") != "rgb") reject();
-        return;
-    }
-    const auto count = root.number("spectral", {-1e300, 1e300});
-    if (!count) return;
-    if (!(*count >= 3 && *count <= 42 && *count == std::floor(*count))) reject();
-    model.spectral = std::to_string(static_cast<int>(*count));
-}
-
 Rgb colour_of_the_sun(const SceneModel& model) {
     const Rgb of_rgb(0.77, 0.97, 1.0);  // at 680, 550 and 440 nm (docs/radiometry.md)
     if (model.in_rgb()) return of_rgb;
@@ -117,7 +105,7 @@ Scene read_root(Section root, const std::filesystem::path& folder) {
     scene.sun_lobe_g = root.number("sun_lobe_g", {0, 0.9999}).value_or(0);
     if (const auto model = root.choice("model", model_names())) scene.model.name = model_names()[*model];
     if (const auto quality = root.choice("quality", quality_names())) scene.model.quality = quality_names()[*quality];
-    read_spectral(root, scene.model);
+    scene.model.spectral = read_spectral(root, "spectral").value_or(scene.model.spectral);
     scene.aerial_perspective_distance_m =
         root.number("aerial_perspective_distance_m", {1, 1e9}).value_or(scene.aerial_perspective_distance_m);
 
@@ -144,6 +132,19 @@ Scene read_root(Section root, const std::filesystem::path& folder) {
 glm::dvec3 direction_of(const ScenePose& pose) {
     const double b = pose.bearing_deg * degree, e = pose.elevation_deg * degree;
     return {std::cos(e) * std::cos(b), -std::cos(e) * std::sin(b), std::sin(e)};
+}
+
+std::optional<std::string> read_spectral(Section& section, std::string_view key) {
+    const auto reject = [&] { section.reject(key, section.printed(key), "\"rgb\", or a whole number in [3, 42]"); };
+    if (section.is_text(key)) {
+        const std::optional<std::string> text = section.text(key);
+        if (text != "rgb") reject();
+        return text;
+    }
+    const std::optional<double> count = section.number(key, {-1e300, 1e300});
+    if (!count) return {};
+    if (!(*count >= 3 && *count <= 42 && *count == std::floor(*count))) reject();
+    return std::to_string(static_cast<int>(*count));
 }
 
 Scene read_scene(const std::filesystem::path& path) {

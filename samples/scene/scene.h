@@ -84,6 +84,10 @@ struct Scene {
     std::optional<SceneTerrain> terrain;
 };
 
+class Section;
+/// "rgb" or a number of wavelengths, in [3, 42]; none if there is no such key. Throws as Section's functions do.
+[[nodiscard]] std::optional<std::string> read_spectral(Section& section, std::string_view key);
+
 /// Reads a scene file. A height map is named relative to the file's folder; it is not opened here. Throws Error: io,
 /// invalid_argument with file, line, key, value and allowed range; also for keys that do not exist.
 [[nodiscard]] Scene read_scene(const std::filesystem::path& path);

@@ -134,6 +134,21 @@ std::optional<std::string> Section::text(std::string_view key) {
     return node->as_string()->get();
 }
 
+std::optional<std::vector<std::string>> Section::texts(std::string_view key) {
+    const toml::node* node = impl_->find(key);
+    if (!node) return std::nullopt;
+    if (node->is_string()) return std::vector{node->as_string()->get()};
+    const toml::array* array = node->as_array();
+    if (!array) reject(key, print_node(*node), "a text in quotes, or an array of texts");
+    std::vector<std::string> values;
+    for (const toml::node& element : *array) {
+        if (!element.is_string())
+            reject(key, print_node(element) + " as element " + std::to_string(values.size()), "texts in quotes");
+        values.push_back(element.as_string()->get());
+    }
+    return values;
+}
+
 std::optional<std::size_t> Section::choice(std::string_view key, std::span<const std::string_view> choices) {
     const toml::node* node = impl_->find(key);
     if (!node) return std::nullopt;

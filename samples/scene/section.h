@@ -35,6 +35,8 @@ public:
     [[nodiscard]] std::optional<Rgb> rgb(std::string_view key, Range range);
     [[nodiscard]] std::optional<bool> boolean(std::string_view key);
     [[nodiscard]] std::optional<std::string> text(std::string_view key);
+    /// A text, or an array of texts.
+    [[nodiscard]] std::optional<std::vector<std::string>> texts(std::string_view key);
     /// Index of the choice.
     [[nodiscard]] std::optional<std::size_t> choice(std::string_view key, std::span<const std::string_view> choices);
     [[nodiscard]] std::optional<std::size_t> choice(std::string_view key, std::initializer_list<std::string_view> choices) {

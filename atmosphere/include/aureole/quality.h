@@ -48,13 +48,15 @@ struct QualitySettings {
     [[nodiscard]] static QualitySettings low();
     [[nodiscard]] static QualitySettings standard();  ///< "default"
     [[nodiscard]] static QualitySettings high();
-    /// One of quality_names(); anything else throws Error naming them.
+    /// So fine that more makes no difference that matters: what remains is the model's own error. For measuring, not for use.
+    [[nodiscard]] static QualitySettings converged();
+    /// One of quality_names(), or "converged"; anything else throws Error naming them.
     [[nodiscard]] static QualitySettings by_name(std::string_view name);
 
     [[nodiscard]] bool operator==(const QualitySettings&) const = default;
 };
 
-/// Every model comes in these: "low", "default", "high".
+/// Every model comes in these: "low", "default", "high". For measuring there is "converged", too, which is in no list.
 [[nodiscard]] std::span<const std::string_view> quality_names();
 
 /// Throws Error(invalid_argument) at the first field outside its range.

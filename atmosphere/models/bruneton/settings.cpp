@@ -60,6 +60,16 @@ BrunetonSettings BrunetonSettings::high() {
     return s;
 }
 
+BrunetonSettings BrunetonSettings::converged() {
+    BrunetonSettings s = high();
+    s.irradiance = {128, 32, 1};
+    s.nu_nodes = 16;
+    s.view_nodes = 192;
+    s.ray_nodes = s.transmittance_nodes = 12;
+    s.format = rhi::Format::rgba32_float;
+    return s;
+}
+
 BrunetonSettings BrunetonSettings::published() {
     BrunetonSettings s;
     s.combined = true;
@@ -71,6 +81,7 @@ BrunetonSettings BrunetonSettings::by_name(std::string_view name) {
     if (name == "low") return low();
     if (name == "default") return standard();
     if (name == "high") return high();
+    if (name == "converged") return converged();
     if (name == "published") return published();
     detail::reject_quality(name, "published");
 }

@@ -103,7 +103,7 @@ FogSettings FogSettings::by_name(std::string_view quality) {
     if (quality == "default") return settings;
     if (quality == "low") {
         settings.mode = Mode::one_colour;
-    } else if (quality == "high") {
+    } else if (quality == "high" || quality == "converged") {
         settings.transmittance_nodes = 16;
     } else {
         detail::reject_quality(quality);

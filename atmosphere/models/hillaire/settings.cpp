@@ -36,10 +36,24 @@ HillaireSettings HillaireSettings::high() {
     return s;
 }
 
+HillaireSettings HillaireSettings::converged() {
+    HillaireSettings s = high();
+    s.transmittance = {1024, 256, 1};
+    s.transmittance_steps = 256;
+    s.multi_scatter = {96, 64, 1};
+    s.multi_scatter_steps = 256;
+    s.sky_view = {512, 512, 1};  // for the light table alone
+    s.sky_view_steps = 256;
+    s.march_steps = 256;
+    s.table_format = s.froxel_format = rhi::Format::rgba32_float;
+    return s;
+}
+
 HillaireSettings HillaireSettings::by_name(std::string_view name) {
     if (name == "low") return low();
     if (name == "default") return standard();
     if (name == "high") return high();
+    if (name == "converged") return converged();
     detail::reject_quality(name);
 }
 

@@ -38,7 +38,7 @@ ReferenceSettings ReferenceSettings::by_name(std::string_view quality) {
     ReferenceSettings settings;
     if (quality == "low")
         settings.paths_per_frame = 4;
-    else if (quality == "high")
+    else if (quality == "high" || quality == "converged")
         settings.paths_per_frame = 64;
     else if (quality != "default")
         detail::reject_quality(quality);

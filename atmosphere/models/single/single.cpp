@@ -201,6 +201,8 @@ SingleSettings SingleSettings::by_name(std::string_view quality) {
     } else if (quality == "high") {
         settings.view_steps = 12;
         settings.light_steps = 10;
+    } else if (quality == "converged") {
+        settings.view_steps = settings.light_steps = 16;
     } else {
         detail::reject_quality(quality);
     }

@@ -83,6 +83,9 @@ SingleLutSettings SingleLutSettings::by_name(std::string_view quality) {
     } else if (quality == "high") {
         settings.view_steps = 12;
         settings.table = {256, 64, 1};
+    } else if (quality == "converged") {
+        settings.view_steps = settings.table_nodes = 16;
+        settings.table = {1024, 256, 1};
     } else {
         detail::reject_quality(quality);
     }

@@ -40,7 +40,9 @@ struct HillaireSettings {
     [[nodiscard]] static HillaireSettings standard();  ///< "default": the published one.
     /// Sky and aerial perspective marched for each pixel, 30 steps, each colour dimmed by its own transmittance.
     [[nodiscard]] static HillaireSettings high();
-    /// One of quality_names(); anything else is Error(invalid_argument).
+    /// So fine that more makes no difference that matters: what remains is the model's own error. For measuring, not for use.
+    [[nodiscard]] static HillaireSettings converged();
+    /// One of quality_names(), or "converged"; anything else is Error(invalid_argument).
     [[nodiscard]] static HillaireSettings by_name(std::string_view name);
 };
 

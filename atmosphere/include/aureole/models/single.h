@@ -39,7 +39,7 @@ struct SingleSettings {
     Dome dome;
 
     /// "low": a dome of 24 x 64 vertices, 6 and 5 nodes. "default": each pixel, 8 and 6 nodes. "high": each pixel, 12 and 10
-    /// nodes. Anything else: Error(invalid_argument).
+    /// nodes. "converged": 16 and 16. Anything else: Error(invalid_argument).
     [[nodiscard]] static SingleSettings by_name(std::string_view quality);
 };
 

@@ -18,7 +18,7 @@ struct SingleLutSettings {
     Dome dome;
 
     /// "low": a dome of 24 x 64 vertices, 6 nodes, table 64 x 16. "default": each pixel, 8 nodes, table 128 x 32. "high": each
-    /// pixel, 12 nodes, table 256 x 64. Anything else: Error(invalid_argument).
+    /// pixel, 12 nodes, table 256 x 64. "converged": 16 nodes, table 1024 x 256. Anything else: Error(invalid_argument).
     [[nodiscard]] static SingleLutSettings by_name(std::string_view quality);
 };
 

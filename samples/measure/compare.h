@@ -1,0 +1,57 @@
+// The scenes of one air under a model: what it shows of them, and how far that is from the truth, in parts.
+#pragma once
+
+#include "measure/points.h"
+#include "measure/setting.h"
+#include "measure/truth.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace aureole::app {
+
+/// A scene with all that is known of it.
+struct Place {
+    std::size_t scene = 0;  ///< Index of Suite::scenes.
+    std::vector<Point> points;
+    std::vector<TrueValue> truth;  ///< Of the points.
+    std::vector<ProbeRow> scan;
+    double exposure = 1;  ///< For colours as shown.
+};
+/// Those of one air, in the order of the suite. Throws Error(invalid_argument) if the table lacks directions, saying how it is
+/// completed.
+[[nodiscard]] std::vector<Place> places_of(const Suite& suite, std::size_t air, const TruthTable& truth);
+
+/// Radiances of a place, as a model shows them.
+struct Seen {
+    std::vector<Rgb> points, scan;
+};
+/// One for each place.
+[[nodiscard]] std::vector<Seen> look(Backend& backend, const Prepared& prepared, std::span<const Place> places);
+
+/// Parts of an error: none is greater than their sum.
+struct ErrorParts {
+    ErrorSummary rounding;        ///< As it runs, against the same in double with nothing rounded.
+    ErrorSummary discretisation;  ///< That, against the same model as fine as it gets.
+    ErrorSummary model;           ///< That, against the truth.
+};
+struct SceneResult {
+    std::size_t scene = 0;  ///< Index of Suite::scenes.
+    ErrorSummary all;
+    std::array<ErrorSummary, region_names.size()> regions;
+    std::optional<ErrorParts> parts;
+    double luminance_rmse = 0;
+    ErrorSummary delta_e;           ///< CIEDE2000 of the points as shown.
+    std::optional<double> banding;  ///< CIEDE2000; with parts, from within the air.
+};
+
+/// The same place seen thrice: as it runs; in double; in double, as fine as the model gets. The latter two, or none.
+struct Looks {
+    const Seen* run;
+    const Seen* exact = nullptr;
+    const Seen* converged = nullptr;
+};
+[[nodiscard]] SceneResult compare(const Place& place, const Looks& looks);
+
+}  // namespace aureole::app

@@ -1,0 +1,76 @@
+#include "measure/compare.h"
+
+#include <aureole/presets.h>
+
+#include <doctest/doctest.h>
+
+using namespace aureole;
+using namespace aureole::app;
+
+namespace {
+
+doctest::Approx near(double value) { return doctest::Approx(value).epsilon(1e-9).scale(1e-300); }
+
+/// Points of a scene, each with radiance 1 of which nothing is uncertain.
+Place white_place() {
+    Place place;
+    place.points = points_of(presets::earth().planet, 30, 0.002);
+    place.truth.assign(place.points.size(), {Rgb(1), Rgb(0)});
+    place.scan = scan_of(presets::earth().planet, 30, 0.002);
+    place.exposure = 0.5;
+    return place;
+}
+
+Seen all(const Place& place, double value) {
+    return {std::vector(place.points.size(), Rgb(value)), std::vector(place.scan.size(), Rgb(value))};
+}
+
+}  // namespace
+
+TEST_CASE("compare: each part is the distance to the next look") {
+    const Place place = white_place();
+    const Seen run = all(place, 1.07), exact = all(place, 1.06), fine = all(place, 1.02);
+    const SceneResult result = compare(place, {&run, &exact, &fine});
+    CHECK(result.all.median == near(0.07));
+    CHECK(result.all.rows == place.points.size());
+    REQUIRE(result.parts.has_value());
+    CHECK(result.parts->rounding.worst == near(0.01));
+    CHECK(result.parts->discretisation.median == near(0.04));
+    CHECK(result.parts->model.p95 == near(0.02));
+    CHECK(result.luminance_rmse == near(0.07));
+    CHECK(result.delta_e.median == near(shown_difference(Rgb(1.07), Rgb(1), 0.5)));
+    CHECK(result.banding == 0.0);
+    const SceneResult total = compare(place, {&run});
+    CHECK_FALSE(total.parts.has_value());
+    CHECK_FALSE(total.banding.has_value());
+    CHECK(total.all.median == result.all.median);
+}
+
+TEST_CASE("compare: an error is counted in its region, and where the truth is unknown in none") {
+    Place place = white_place();
+    Seen run = all(place, 1);
+    std::size_t nadir = 0;
+    for (std::size_t i = 0; i < place.points.size(); ++i)
+        if (place.points[i].region == Region::nadir) run.points[i] = Rgb(1.5), ++nadir;
+    place.truth[0].error = Rgb(0.1);
+    const SceneResult result = compare(place, {&run});
+    const auto region = [&](Region r) { return result.regions[static_cast<std::size_t>(r)]; };
+    CHECK(region(Region::nadir).rows == nadir);
+    CHECK(region(Region::nadir).median == near(0.5));
+    CHECK(region(Region::zenith).rows == 7);
+    CHECK(region(Region::zenith).worst == 0);
+    CHECK(region(Region::aerial).rows == 0);
+    CHECK(result.all.rows == place.points.size() - 1);
+    CHECK(result.all.worst == near(0.5));
+    CHECK(result.all.median == 0);
+}
+
+TEST_CASE("compare: bands are those of the scan alone") {
+    const Place place = white_place();
+    const Seen fine = all(place, 1);
+    Seen run = fine;
+    for (std::size_t i = 50; i < run.scan.size(); ++i) run.scan[i] = Rgb(1.2);
+    const SceneResult result = compare(place, {&run, &fine, &fine});
+    CHECK(result.banding.value() == near(shown_difference(Rgb(1), Rgb(1.2), 0.5)));
+    CHECK(result.all.worst == 0);
+}

@@ -1,0 +1,152 @@
+#include "measure/measure.h"
+
+#include "io/file.h"
+
+#include <aureole/rhi/error.h>
+
+#include <algorithm>
+#include <map>
+
+namespace aureole::app {
+namespace {
+
+using nlohmann::json;
+
+json to_json(const ErrorSummary& e) {
+    return e.rows == 0 ? json{{"rows", 0}} : json{{"rows", e.rows}, {"median", e.median}, {"p95", e.p95}, {"max", e.worst}};
+}
+
+json to_json(const Suite& suite, const SuiteSetting& setting, const SceneResult& result) {
+    json out{{"scene", suite.id(suite.scenes[result.scene])},
+             {"setting", setting.id()},
+             {"regions", {{"all", to_json(result.all)}}},
+             {"luminance_rmse", result.luminance_rmse},
+             {"delta_e", to_json(result.delta_e)}};
+    for (std::size_t i = 0; i < region_names.size(); ++i)
+        if (result.regions[i].rows > 0) out["regions"][std::string(region_names[i])] = to_json(result.regions[i]);
+    if (result.parts)
+        out["split"] = {{"rounding", to_json(result.parts->rounding)},
+                        {"discretisation", to_json(result.parts->discretisation)},
+                        {"model", to_json(result.parts->model)}};
+    if (result.banding) out["banding_delta_e"] = *result.banding;
+    return out;
+}
+
+std::string file_name(std::string id) {
+    std::ranges::replace_if(
+        id, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '-'; }, '_');
+    return id + ".json";
+}
+
+/// Settings of one air.
+class AirMeasurement {
+public:
+    AirMeasurement(const Suite& suite, std::size_t air, const MeasureOptions& options, Backend& run, Backend& exact)
+        : suite_(suite), air_(suite.airs[air]), options_(options), run_(run), exact_(exact) {
+        places_ = places_of(suite, air, TruthTable::read(truth_file(suite, air_), truth_parameters(air_)));
+        for (const Place& place : places_) scenes_ += suite.id(suite.scenes[place.scene]) + " ";
+    }
+
+    /// From the file if it is of the same air, scenes and device, else anew. An empty array if the setting is none for this
+    /// air.
+    json item(const SuiteSetting& setting) {
+        const std::optional<Prepared> prepared = prepare(setting, air_.parameters);
+        if (!prepared || setting.model.in_rgb() != (air_.spectral == "rgb")) return json::array();
+        const std::filesystem::path file = options_.out / "items" / air_.name / file_name(setting.id());
+        const json key = key_of(setting);
+        if (const json kept = read_kept(file); kept.is_object() && kept.value("key", json()) == key) return kept.at("results");
+        json results = measured(setting, *prepared);
+        std::filesystem::create_directories(file.parent_path());
+        write_text(file, json{{"key", key}, {"results", results}}.dump() + "\n");
+        return results;
+    }
+
+private:
+    [[nodiscard]] json key_of(const SuiteSetting& setting) const {
+        return {{"air", print_parameters(truth_parameters(air_))},
+                {"scenes", scenes_},
+                {"setting", setting.id()},
+                {"device", run_.describe()},
+                {"parts", options_.parts}};
+    }
+    [[nodiscard]] static json read_kept(const std::filesystem::path& file) {
+        if (!std::filesystem::exists(file)) return {};
+        return json::parse(read_text(file), nullptr, false);
+    }
+
+    json measured(const SuiteSetting& setting, const Prepared& prepared) {
+        const std::vector<Seen> run = look(run_, prepared, places_);
+        const bool parts = options_.parts && setting.model.name != "reference";  // its error is noise
+        const std::vector<Seen> exact = parts ? look(exact_, prepared, places_) : std::vector<Seen>();
+        const std::vector<Seen>* fine = parts ? &converged_look(setting) : nullptr;
+        json results = json::array();
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            Looks looks{&run[i]};
+            if (parts) looks = {&run[i], &exact[i], &(*fine)[i]};
+            results.push_back(to_json(suite_, setting, compare(places_[i], looks)));
+        }
+        return results;
+    }
+
+    const std::vector<Seen>& converged_look(const SuiteSetting& setting) {
+        const SuiteSetting fine = converged(setting);
+        const auto [at, is_new] = converged_.try_emplace(fine.id());
+        if (is_new) at->second = look(exact_, prepare(fine, air_.parameters).value(), places_);
+        return at->second;
+    }
+
+    const Suite& suite_;
+    const SuiteAir& air_;
+    const MeasureOptions& options_;
+    Backend &run_, &exact_;
+    std::vector<Place> places_;
+    std::string scenes_;
+    std::map<std::string, std::vector<Seen>> converged_;
+};
+
+json scenes_json(const Suite& suite) {
+    json out = json::array();
+    for (const SuiteScene& scene : suite.scenes)
+        out.push_back({{"id", suite.id(scene)},
+                       {"class", scene.scene_class},
+                       {"air", suite.airs[scene.air].name},
+                       {"sun_elevation_deg", scene.sun_elevation_deg},
+                       {"altitude_m", scene.altitude_m}});
+    return out;
+}
+
+json settings_json(const Suite& suite) {
+    json out = json::array();
+    for (const SuiteSetting& setting : suite.settings)
+        out.push_back({{"id", setting.id()},
+                       {"model", setting.model.name},
+                       {"quality", setting.model.quality},
+                       {"spectral", setting.model.spectral},
+                       {"without", setting.without},
+                       {"baseline", setting.baseline()}});
+    return out;
+}
+
+}  // namespace
+
+json measure(const Suite& suite, const MeasureOptions& options, Backend& run, Backend& exact,
+             const std::function<void(std::size_t done, std::size_t items)>& after_item) {
+    json results = json::array();
+    const std::size_t items = suite.airs.size() * suite.settings.size();
+    std::size_t done = 0;
+    for (std::size_t air = 0; air < suite.airs.size(); ++air) {
+        AirMeasurement of_air(suite, air, options, run, exact);
+        for (const SuiteSetting& setting : suite.settings) {
+            for (json& result : of_air.item(setting)) results.push_back(std::move(result));
+            after_item(++done, items);
+        }
+    }
+    return {{"version", 1},
+            {"suite", suite.name},
+            {"device", run.describe()},
+            {"scenes", scenes_json(suite)},
+            {"settings", settings_json(suite)},
+            {"results", std::move(results)}};
+}
+
+}  // namespace aureole::app

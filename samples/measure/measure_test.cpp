@@ -1,0 +1,109 @@
+#include "measure/measure.h"
+
+#include "io/file.h"
+#include "io/test_files.h"
+
+#include <doctest/doctest.h>
+
+using namespace aureole;
+using namespace aureole::app;
+using nlohmann::json;
+
+namespace {
+
+constexpr const char* suite_text = R"(
+[[air]]
+name = "earth"
+[[scenes]]
+class = "Day"
+air = "earth"
+sun_elevation_deg = [60, 3]
+altitude_m = [2]
+[[setting]]
+model = "single-lut"
+quality = ["low", "default"]
+[[setting]]
+model = "single-lut"
+without = "ozone"
+[[setting]]
+model = "single-lut"
+without = "dust"
+)";
+
+/// A suite whose truth is a model's own, as fine as that gets: what the model itself is wrong by is nothing.
+Suite with_own_truth(Backend& exact) {
+    std::filesystem::remove_all("measured");
+    std::filesystem::create_directories("measured/truth");
+    Suite suite = parse_suite(suite_text, "measured/s.toml");
+    const std::vector<ProbeRow> rows = truth_rows(suite, 0);
+    const Prepared fine = prepare(converged(suite.settings[0]), suite.airs[0].parameters).value();
+    const std::vector<Rgb> radiance = probe(exact, fine.air, fine.model, rows);
+    TruthTable table;
+    for (std::size_t i = 0; i < rows.size(); ++i) table.set(rows[i], {{radiance[i], Rgb(0)}, 1});
+    table.write(truth_file(suite, suite.airs[0]), truth_parameters(suite.airs[0]));
+    return suite;
+}
+
+json measured(const Suite& suite, Backend& run, Backend& exact) {
+    return measure(suite, {.out = "measured"}, run, exact, [](std::size_t, std::size_t) {});
+}
+
+const json& result(const json& all, const std::string& scene, const std::string& setting) {
+    for (const json& one : all.at("results"))
+        if (one.at("scene") == scene && one.at("setting") == setting) return one;
+    FAIL("no result of " << setting << " in " << scene);
+    throw 0;
+}
+
+}  // namespace
+
+TEST_CASE("measure: errors and their parts, where they are known otherwise") {
+    const auto run = open_backend({.name = "cpu"}), exact = open_backend({.name = "cpu-double"});
+    const Suite suite = with_own_truth(*exact);
+    const json all = measured(suite, *run, *exact);
+    CHECK(all.at("suite") == "s");
+    CHECK(all.at("scenes").size() == 2);
+    CHECK(all.at("settings").size() == 4);
+    CHECK(all.at("results").size() == 6);  // there is no dust to be left out
+    for (const char* scene : {"earth/sun60/2m", "earth/sun3/2m"}) {
+        CAPTURE(scene);
+        const json& low = result(all, scene, "single-lut low");
+        const json& standard = result(all, scene, "single-lut default");
+        const json& dry = result(all, scene, "single-lut default, without ozone");
+        const double coarse = low.at("regions").at("all").at("p95");
+        const double fine = standard.at("regions").at("all").at("p95");
+        CHECK(coarse > fine);
+        CHECK(fine < 0.02);
+        // The truth is the model's own to seven digits.
+        CHECK(standard.at("split").at("model").at("max") < 1e-6);
+        CHECK(low.at("split").at("rounding").at("max") < 1e-3);
+        CHECK(low.at("split").at("discretisation").at("p95") == doctest::Approx(coarse).epsilon(0.05).scale(1e-300));
+        // Without ozone it is another model, whose own finest setting is as wrong.
+        CHECK(dry.at("split").at("model").at("median") > 5 * dry.at("split").at("discretisation").at("median").get<double>());
+        CHECK(low.at("delta_e").at("p95") > 0);
+        CHECK(low.at("luminance_rmse") > standard.at("luminance_rmse"));
+        CHECK(standard.at("banding_delta_e") < 1);
+        std::size_t rows = 0;
+        for (const auto& [name, region] : low.at("regions").items())
+            if (name != "all") rows += region.at("rows").get<std::size_t>();
+        CHECK(rows == low.at("regions").at("all").at("rows"));
+    }
+}
+
+TEST_CASE("measure: goes on from what is finished, and not from what was something else") {
+    const auto run = open_backend({.name = "cpu"}), exact = open_backend({.name = "cpu-double"});
+    Suite suite = with_own_truth(*exact);
+    suite.settings.resize(2);
+    const json first = measured(suite, *run, *exact);
+    const std::filesystem::path item = "measured/items/earth/single-lut_low.json";
+    json kept = json::parse(get(item.string()));
+    kept.at("results")[0]["luminance_rmse"] = 42;
+    put(item.string(), kept.dump());
+    CHECK(result(measured(suite, *run, *exact), "earth/sun60/2m", "single-lut low").at("luminance_rmse") == 42);
+
+    kept.at("key")["device"] = "another";
+    put(item.string(), kept.dump());
+    CHECK(measured(suite, *run, *exact) == first);
+    put(item.string(), kept.dump().substr(0, 100));  // half a file
+    CHECK(measured(suite, *run, *exact) == first);
+}

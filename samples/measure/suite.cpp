@@ -1,0 +1,146 @@
+#include "measure/suite.h"
+
+#include "io/csv.h"
+#include "measure/setting.h"
+#include "scene/scene_atmosphere.h"
+#include "scene/section.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+namespace aureole::app {
+namespace {
+
+constexpr std::size_t most_items = 100000;
+
+bool names_a_file(const std::string& name) {
+    return !name.empty() &&
+           name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_") == std::string::npos;
+}
+
+SuiteAir read_air(Section section) {
+    SuiteAir air;
+    air.name = section.text("name").value_or("");
+    if (!names_a_file(air.name)) section.reject("name", "\"" + air.name + "\"", "a name of letters, digits, - and _");
+    air.spectral = read_spectral(section, "truth_spectral").value_or("rgb");
+    const std::optional<Section> atmosphere = section.section("atmosphere");
+    air.parameters = atmosphere ? read_atmosphere(*atmosphere) : read_atmosphere(TomlDocument("", "").root());
+    section.finish();
+    return air;
+}
+
+std::vector<double> required_numbers(Section& section, std::string_view key, Range range) {
+    const std::optional<std::vector<double>> values = section.numbers(key, range);
+    if (!values || values->empty()) section.reject(key, "nothing", "one number or more");
+    return *values;
+}
+
+void read_scenes(Section section, Suite& suite) {
+    const std::string scene_class = section.text("class").value_or("");
+    if (scene_class.empty()) section.reject("class", "nothing", "a text");
+    std::vector<std::size_t> airs;
+    for (const std::string& name : section.texts("air").value_or(std::vector<std::string>{})) {
+        const auto found = std::ranges::find(suite.airs, name, &SuiteAir::name);
+        if (found == suite.airs.end()) section.reject("air", "\"" + name + "\"", "the name of an [[air]] above");
+        airs.push_back(static_cast<std::size_t>(found - suite.airs.begin()));
+    }
+    if (airs.empty()) section.reject("air", "nothing", "the name of an [[air]] above, or an array of names");
+    const std::vector<double> elevations = required_numbers(section, "sun_elevation_deg", {-90, 90});
+    const std::vector<double> altitudes = required_numbers(section, "altitude_m", {0, 1e12});
+    for (const std::size_t air : airs)
+        for (const double elevation : elevations)
+            for (const double altitude : altitudes) suite.scenes.push_back({scene_class, air, elevation, altitude});
+    section.finish();
+}
+
+void read_settings(Section section, Suite& suite) {
+    const std::vector<std::string> models = section.texts("model").value_or(std::vector<std::string>{});
+    if (models.empty()) section.reject("model", "nothing", "the name of a model, or an array of names");
+    const std::vector<std::string> qualities = section.texts("quality").value_or(std::vector<std::string>{"default"});
+    const std::string spectral = read_spectral(section, "spectral").value_or("rgb");
+    const std::vector<std::string> without = section.texts("without").value_or(std::vector<std::string>{});
+    for (const std::string& model : models)
+        for (const std::string& quality : qualities) {
+            suite.settings.push_back({{model, quality, spectral}, without});
+            try {
+                check(suite.settings.back());
+            } catch (const Error& error) {
+                section.reject(section.has(error.field()) ? error.field() : "", error.value(), error.allowed());
+            }
+        }
+    section.finish();
+}
+
+void check_whole(const Suite& suite, Section& root) {
+    std::set<std::string> seen;
+    for (const SuiteScene& scene : suite.scenes)
+        if (!seen.insert(suite.id(scene)).second) root.reject("scenes", suite.id(scene) + " twice", "each once");
+    for (const SuiteSetting& setting : suite.settings)
+        if (!seen.insert(setting.id()).second) root.reject("setting", setting.id() + " twice", "each once");
+    for (std::size_t i = 0; i < suite.airs.size(); ++i)
+        if (suite.scenes_of(i).empty())
+            root.reject("air", suite.airs[i].name + ", which no [[scenes]] has", "an air of a scene");
+    for (const SuiteSetting& setting : suite.settings)
+        if (!setting.baseline().empty() && !seen.contains(setting.baseline()))
+            root.reject("setting", setting.id() + " without its baseline", "beside a setting " + setting.baseline());
+    if (suite.scenes.size() * suite.settings.size() > most_items)
+        root.reject("scenes",
+                    std::to_string(suite.scenes.size()) + " scenes x " + std::to_string(suite.settings.size()) + " settings",
+                    "at most " + std::to_string(most_items) + " together");
+}
+
+Suite read_root(Section root, const std::filesystem::path& path) {
+    Suite suite;
+    suite.name = path.stem().string();
+    suite.truth_folder = path.parent_path() / "truth";
+    suite.title = root.text("title").value_or(suite.name);
+    suite.truth_error = root.number("truth_error", {1e-4, 0.1}).value_or(suite.truth_error);
+    suite.truth_max_paths = root.number("truth_max_paths", {4096, 1e12}).value_or(suite.truth_max_paths);
+    for (const Section& section : root.sections("air")) {
+        suite.airs.push_back(read_air(section));
+        if (std::ranges::count(suite.airs, suite.airs.back().name, &SuiteAir::name) > 1)
+            root.reject("air", "\"" + suite.airs.back().name + "\" twice", "each name once");
+    }
+    for (const Section& section : root.sections("scenes")) read_scenes(section, suite);
+    for (const Section& section : root.sections("setting")) read_settings(section, suite);
+    if (suite.scenes.empty()) root.reject("scenes", "nothing", "one [[scenes]] or more");
+    if (suite.settings.empty()) root.reject("setting", "nothing", "one [[setting]] or more");
+    check_whole(suite, root);
+    root.finish();
+    return suite;
+}
+
+}  // namespace
+
+std::string SuiteSetting::id() const {
+    std::string text = model.name + " " + model.quality + (model.in_rgb() ? "" : " " + model.spectral);
+    for (std::size_t i = 0; i < without.size(); ++i) text += (i == 0 ? ", without " : " and ") + without[i];
+    return text;
+}
+
+std::string SuiteSetting::baseline() const { return without.empty() ? "" : SuiteSetting{model, {}}.id(); }
+
+std::string Suite::id(const SuiteScene& scene) const {
+    return airs[scene.air].name + "/sun" + print_number(scene.sun_elevation_deg) + "/" + print_number(scene.altitude_m) + "m";
+}
+
+std::vector<std::size_t> Suite::scenes_of(std::size_t air) const {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+        if (scenes[i].air == air) result.push_back(i);
+    return result;
+}
+
+Suite read_suite(const std::filesystem::path& path) {
+    const TomlDocument document(path);
+    return read_root(document.root(), path);
+}
+
+Suite parse_suite(std::string_view text, const std::string& name) {
+    const TomlDocument document(text, name);
+    return read_root(document.root(), name);
+}
+
+}  // namespace aureole::app

@@ -1,0 +1,160 @@
+#include "measure/suite.h"
+#include "measure/setting.h"
+
+#include "io/test_files.h"
+
+#include <aureole/models/aureole.h>
+#include <aureole/presets.h>
+
+#include <doctest/doctest.h>
+
+using namespace aureole;
+using namespace aureole::app;
+
+namespace {
+
+constexpr const char* whole = R"(
+title = "Two airs"
+truth_error = 0.01
+[[air]]
+name = "earth"
+[[air]]
+name = "dry-mars"
+truth_spectral = 12
+atmosphere = { preset = "mars", ground_albedo = 0.5 }
+[[scenes]]
+class = "Day"
+air = ["earth", "dry-mars"]
+sun_elevation_deg = [60, -4.5]
+altitude_m = [2, 400000]
+[[scenes]]
+class = "Night"
+air = "earth"
+sun_elevation_deg = [-20]
+altitude_m = [2]
+[[setting]]
+model = ["fog", "aureole"]
+quality = ["low", "default"]
+[[setting]]
+model = "aureole"
+without = ["ozone", "half the samples"]
+[[setting]]
+model = "aureole"
+spectral = 4
+)";
+
+/// The text with one line replaced.
+std::string with(const std::string& line, const std::string& other) {
+    std::string text = whole;
+    const std::size_t at = text.find(line);
+    REQUIRE(at != std::string::npos);
+    return text.replace(at, line.size(), other);
+}
+
+std::string complaint_of(const std::string& text) {
+    return complaint([&] { (void)parse_suite(text, "s.toml"); });
+}
+
+}  // namespace
+
+TEST_CASE("suite: scenes are every combination, settings every model and quality") {
+    const Suite suite = parse_suite(whole, "folder/s.toml");
+    CHECK(suite.name == "s");
+    CHECK(suite.title == "Two airs");
+    CHECK(suite.truth_error == 0.01);
+    CHECK(suite.truth_folder == "folder/truth");
+    REQUIRE(suite.airs.size() == 2);
+    CHECK(suite.airs[0].parameters == presets::earth());
+    CHECK(suite.airs[0].spectral == "rgb");
+    CHECK(suite.airs[1].spectral == "12");
+    CHECK(suite.airs[1].parameters.planet.ground_albedo == Rgb(0.5));
+    REQUIRE(suite.scenes.size() == 9);
+    CHECK(suite.id(suite.scenes[0]) == "earth/sun60/2m");
+    CHECK(suite.id(suite.scenes[7]) == "dry-mars/sun-4.5/400000m");
+    CHECK(suite.scenes[8].scene_class == "Night");
+    CHECK(suite.scenes[8].sun_zenith_deg() == 110);
+    CHECK(suite.scenes[7].altitude_km() == 400);
+    CHECK(suite.scenes_of(0) == std::vector<std::size_t>{0, 1, 2, 3, 8});
+    REQUIRE(suite.settings.size() == 6);
+    CHECK(suite.settings[2].id() == "aureole low");
+    CHECK(suite.settings[2].baseline().empty());
+    CHECK(suite.settings[4].id() == "aureole default, without ozone and half the samples");
+    CHECK(suite.settings[4].baseline() == "aureole default");
+    CHECK(suite.settings[5].id() == "aureole default 4");
+}
+
+TEST_CASE("suite: what is wrong is named with its line and what is allowed") {
+    CHECK(contains(complaint_of(with("name = \"earth\"", "name = \"a/b\"")), "s.toml:5: air[0].name: \"a/b\" is not allowed"));
+    CHECK(contains(complaint_of(with("name = \"dry-mars\"", "name = \"earth\"")), "\"earth\" twice"));
+    CHECK(contains(complaint_of(with("truth_error = 0.01", "truth_error = 0")), "truth_error: 0 is not allowed"));
+    CHECK(contains(complaint_of(with("truth_spectral = 12", "truth_spectral = 2")), "whole number in [3, 42]"));
+    CHECK(contains(complaint_of(with("air = \"earth\"", "air = \"venus\"")),
+                   "\"venus\" is not allowed; allowed: the name of an"));
+    CHECK(contains(complaint_of(with("air = [\"earth\", \"dry-mars\"]", "air = \"earth\"")),
+                   "dry-mars, which no [[scenes]] has"));
+    CHECK(contains(complaint_of(with("sun_elevation_deg = [-20]", "sun_elevation_deg = [-91]")), "[-90, 90]"));
+    CHECK(contains(complaint_of(with("sun_elevation_deg = [-20]", "sun_elevation_deg = [60]")), "earth/sun60/2m twice"));
+    CHECK(contains(complaint_of(with("class = \"Night\"", "")), "class: nothing is not allowed"));
+    CHECK(contains(complaint_of(with("\"fog\"", "\"frog\"")), "model"));
+    CHECK(contains(complaint_of(with("\"low\"", "\"lowest\"")), "quality"));
+    CHECK(contains(complaint_of(with("\"half the samples\"", "\"half the samples\", \"ozone\"")), "\"ozone\" twice"));
+    CHECK(
+        contains(complaint_of(with("spectral = 4", "quality = \"high\"\nwithout = \"mie\"")), "beside a setting aureole high"));
+    CHECK(contains(complaint_of(with("spectral = 4", "spectrum = 4")), "spectrum"));
+}
+
+TEST_CASE("setting: what a model does not have cannot be left out of it") {
+    const auto rejects = [](const char* model, const char* quality, const char* what) {
+        return contains(complaint([&] {
+                            check({{model, quality, "rgb"}, {what}});
+                        }),
+                        "without: \"" + std::string(what) + "\" of ");
+    };
+    CHECK(rejects("fog", "default", "half the samples"));
+    CHECK(rejects("single", "default", "float tables"));
+    CHECK(rejects("hillaire", "default", "ground light"));
+    CHECK(rejects("hillaire", "default", "coloured transmittance"));  // has none
+    CHECK_FALSE(rejects("hillaire", "high", "coloured transmittance"));
+    CHECK(rejects("bruneton", "default", "multiple scattering"));
+    CHECK(rejects("aureole", "default", "wavelengths"));  // in red, green and blue
+    for (const std::string_view name :
+         {"multiple scattering", "its direction", "ground light", "half the samples", "float tables"})
+        CHECK_NOTHROW(check({{"aureole", "default", "rgb"}, {std::string(name)}}));
+}
+
+TEST_CASE("setting: what is left out is gone, and converged settings leave out the same light") {
+    const AtmosphereParameters earth = presets::earth();
+    const auto quality = [&](const std::vector<std::string>& without) {
+        return prepare({{"aureole", "default", "rgb"}, without}, earth).value().model->quality();
+    };
+    QualitySettings expected;
+    CHECK(quality({}) == expected);
+    expected.multi_scatter_orders = 0;
+    CHECK(quality({"multiple scattering"}) == expected);
+    expected = {};
+    expected.angular_order = 0;
+    expected.angular_order_as_needed = false;
+    CHECK(quality({"its direction"}) == expected);
+    CHECK_FALSE(quality({"ground light"}).ground_light);
+    CHECK(quality({"half the samples"}).sky_view_nodes == 5);
+    CHECK(quality({"float tables"}).table_format == rhi::Format::rgba16_float);
+
+    const Prepared clear = prepare({{"aureole", "default", "rgb"}, {"mie", "ozone"}}, earth).value();
+    REQUIRE(clear.air.terms.size() == 1);
+    CHECK(clear.air.terms[0].name == "rayleigh");
+    CHECK_FALSE(prepare({{"aureole", "default", "rgb"}, {"ozone"}}, presets::mars()).has_value());
+
+    const SuiteSetting fine =
+        converged({{"aureole", "low", "rgb"}, {"ozone", "half the samples", "ground light", "float tables"}});
+    CHECK(fine.model.quality == "converged");
+    CHECK(fine.without == std::vector<std::string>{"ozone", "ground light"});
+    for (const std::string_view name : model_names()) CHECK_NOTHROW(check({{std::string(name), "converged", "rgb"}, {}}));
+}
+
+TEST_CASE("setting: the model in red, green and blue is one without its wavelengths") {
+    const AtmosphereParameters earth = presets::earth();
+    const ModelPtr coloured = prepare({{"aureole", "default", "4"}, {}}, earth).value().model;
+    const ModelPtr rgb = prepare({{"aureole", "default", "4"}, {"wavelengths"}}, earth).value().model;
+    CHECK(rgb->by_tables());
+    CHECK_FALSE(coloured->by_tables());
+}

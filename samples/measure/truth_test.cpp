@@ -1,0 +1,78 @@
+#include "measure/truth.h"
+
+#include "io/test_files.h"
+#include "measure/compare.h"
+
+#include <aureole/presets.h>
+
+#include <doctest/doctest.h>
+
+using namespace aureole;
+using namespace aureole::app;
+
+namespace {
+
+constexpr const char* suite_text = R"(
+[[air]]
+name = "earth"
+[[scenes]]
+class = "Day"
+air = "earth"
+sun_elevation_deg = [60, 0]
+altitude_m = [2]
+[[setting]]
+model = "aureole"
+)";
+
+TruthTable::Entry entry(double value) { return {{Rgb(value, 2 * value, 3 * value), Rgb(1e-3 * value)}, 4096}; }
+
+}  // namespace
+
+TEST_CASE("truth: a table reads back as it was written, and knows what it lacks") {
+    const Suite suite = parse_suite(suite_text, "s.toml");
+    const TraceParameters parameters = truth_parameters(suite.airs[0]);
+    const std::vector<ProbeRow> rows = truth_rows(suite, 0);
+    REQUIRE(rows.size() > 60);
+    TruthTable table = TruthTable::read("no_such.csv", parameters);
+    CHECK(table.size() == 0);
+    CHECK(table.missing(rows).size() == rows.size());
+    for (std::size_t i = 1; i < rows.size(); ++i) table.set(rows[i], entry(1.0 / static_cast<double>(i)));
+    table.write("truth_of_earth.csv", parameters);
+
+    const TruthTable again = TruthTable::read("truth_of_earth.csv", parameters);
+    CHECK(again.size() == rows.size() - 1);
+    REQUIRE(again.find(rows[3]) != nullptr);
+    CHECK(again.find(rows[3])->radiance.value.g == doctest::Approx(2.0 / 3).epsilon(1e-6).scale(1e-300));
+    CHECK(again.find(rows[3])->radiance.error.r == doctest::Approx(1e-3 / 3).epsilon(1e-2).scale(1e-300));
+    CHECK(again.find(rows[3])->paths == 4096);
+    const std::vector<ProbeRow> missing = again.missing(rows);
+    REQUIRE(missing.size() == 1);
+    CHECK(missing[0].view_zenith_deg == rows[0].view_zenith_deg);
+    CHECK(contains(complaint([&] { (void)places_of(suite, 0, again); }),
+                   "lacks 1 directions of the suite; `aureole truth` adds"));
+
+    table.set(rows[0], entry(1));
+    const std::vector<Place> places = places_of(suite, 0, table);
+    REQUIRE(places.size() == 2);
+    CHECK(places[1].points.size() == places[1].truth.size());
+    CHECK(places[1].truth[5].value == table.find(places[1].points[5].row)->radiance.value);
+}
+
+TEST_CASE("truth: a table of other air is refused by what differs") {
+    const TraceParameters earth = truth_parameters({"a", presets::earth()});
+    TruthTable().write("other.csv", earth);
+    CHECK(contains(complaint([&] { (void)TruthTable::read("other.csv", earth); }), "no row"));
+    TruthTable table;
+    table.set({}, entry(1));
+    table.write("other.csv", earth);
+    AtmosphereParameters bright = presets::earth();
+    bright.planet.ground_albedo = Rgb(0.5);
+    CHECK(contains(complaint([&] {
+                       (void)TruthTable::read("other.csv", truth_parameters({"a", bright}));
+                   }),
+                   "\"ground_albedo=0.3,0.3,0.3\" there, \"ground_albedo=0.5,0.5,0.5\" here"));
+    CHECK(contains(complaint([&] {
+                       (void)TruthTable::read("other.csv", truth_parameters({"a", presets::earth(), "40"}));
+                   }),
+                   "\"spectral=rgb\" there, \"spectral=40\" here"));
+}

@@ -108,6 +108,29 @@ TEST_CASE("aureole without multiple scattering: single scattering marched for ea
     }
 }
 
+TEST_CASE("aureole without multiple scattering: the air before geometry is single scattering's, but for the slabs of froxels") {
+    QualitySettings quality = single_alone(QualitySettings::high());
+    quality.aerial_perspective = {16, 64, 128};
+    quality.aerial_perspective_nodes = 4;
+    for (const char* preset : {"earth", "mars"}) {
+        const AtmosphereParameters air = presets::by_name(preset);
+        physics::Picture ours(physics::cpu_double(), air, quality, 1e5),
+            expected(physics::cpu_double(), air, exact_march(), 1e5);
+        for (const double elevation : {60.0, 5.0}) {
+            const Sun sun = physics::sun_at((90 - elevation) * degree);
+            for (physics::Picture* each : {&ours, &expected})
+                each->place(look(air.planet.bottom_radius_m, 2000, 0, 0.1, 0.7, 4.0 / 3), {&sun, 1});
+            for (const double distance : {3e3, 8e4}) {
+                const std::vector<Rgb> a = ours.render(distance, Rgb(0)), b = expected.render(distance, Rgb(0));
+                physics::Worst worst;
+                for (std::size_t i = 0; i < a.size(); ++i) worst.add(physics::apart(a[i], b[i]), elevation, distance, i);
+                CAPTURE(preset);
+                CHECK_WORST(worst, 0.02);
+            }
+        }
+    }
+}
+
 TEST_CASE("aureole without multiple scattering, in N wavelengths: single scattering in N wavelengths") {
     const models::SpectralSettings four{.wavelengths = spectrum::fitted(4)};
     const QualitySettings quality = tables_of({256, 64, 1}, {64, 256, 1});

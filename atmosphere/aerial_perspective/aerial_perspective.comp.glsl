@@ -13,6 +13,7 @@ SAMPLER_2D(4, multi_scatter_table)
 UNIFORMS(5, ViewBlock, view)
 IMAGE_3D(6, froxels_out)
 SPEC_INT(8, SLICE_NODES, 1)
+SPEC_BOOL(11, MULTIPLE_SCATTERING, true)  // false: multi_scatter_table is not read
 
 #include "common/slab.glsl"
 #include "common/view_ray.glsl"
@@ -56,7 +57,8 @@ COMPUTE_MAIN(id) {
             vec3 slab = air.extinction * step_km;
             vec3 weight = exp(-depth) * mean_transmittance(slab) * step_km;
             vec3 beam = transmittance_to_sun(h, mu_s);
-            vec3 source = scattered_diffuse(h, view_mu_after(ray, t, h), mu_s, ray.nu, air.scattering);
+            vec3 source = vec3(real(0));
+            if (MULTIPLE_SCATTERING) source = scattered_diffuse(h, view_mu_after(ray, t, h), mu_s, ray.nu, air.scattering);
             for (int c = 0; c < PHASE_COUNT; ++c) {
                 vec3 scattered = beam * air.scattering[c];
                 if (phase_is_sharp(c)) single[c] += weight * scattered;

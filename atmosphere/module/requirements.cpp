@@ -12,6 +12,16 @@ namespace {
     throw Error(ErrorCode::unsupported, what, has, needed);
 }
 
+/// The longest side of the multi-scatter tables, at the most that an air may get (Model::quality_for); 0: there are none.
+std::uint32_t multi_scatter_side(const QualitySettings& quality) {
+    if (quality.multi_scatter_orders == 0) return 0;
+    const int least = quality.angular_order_as_needed ? quality.angular_order + 2 : 0;
+    const auto directions = static_cast<std::uint32_t>(2 * std::max(quality.multi_scatter_zenith, least) *
+                                                       std::max(quality.multi_scatter_azimuth, least));
+    const std::uint32_t height = quality.multi_scatter.height;
+    return std::max({quality.multi_scatter.width, height * moment_count(quality.angular_order) + 1, height * directions});
+}
+
 }  // namespace
 
 void require_table(const rhi::Device& device, rhi::Format format, rhi::Dimension dimension, bool filtered) {
@@ -43,15 +53,8 @@ void require_tables(const rhi::Device& device, const QualitySettings& quality) {
     require_table(device, quality.table_format, rhi::Dimension::d2);
     require_table(device, rhi::Format::rgba16_float, rhi::Dimension::d2);
     require_table(device, quality.froxel_format, rhi::Dimension::d3);
-    const std::uint32_t moments = moment_count(quality.angular_order);
-    // The most that an air may get (Model::quality_for).
-    const int least = quality.angular_order_as_needed ? quality.angular_order + 2 : 0;
-    const auto directions = static_cast<std::uint32_t>(2 * std::max(quality.multi_scatter_zenith, least) *
-                                                       std::max(quality.multi_scatter_azimuth, least));
-    const std::uint32_t widest =
-        std::max({quality.transmittance.width, quality.transmittance.height, quality.multi_scatter.width,
-                  quality.multi_scatter.height * moments + 1, quality.sky_view.width, quality.sky_view.height,
-                  quality.multi_scatter.height * directions});
+    const std::uint32_t widest = std::max({quality.transmittance.width, quality.transmittance.height, quality.sky_view.width,
+                                           quality.sky_view.height, multi_scatter_side(quality)});
     require_size("device.max_texture_2d", capabilities.max_texture_2d, widest);
     require_size(
         "device.max_texture_3d", capabilities.max_texture_3d,

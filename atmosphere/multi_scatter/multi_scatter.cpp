@@ -87,6 +87,7 @@ void MultiScatterPass::create() {
             .set(9, quality.angular_order)
             .set(10, first)
             .set(11, !first)
+            .set(43, quality.ground_light)
             .set(12, quality.multi_scatter_zenith)
             .set(13, quality.multi_scatter_azimuth)
             .set(14, sharpest_degree(quality.multi_scatter_azimuth));
@@ -225,7 +226,7 @@ bool MultiScatterPass::record(rhi::CommandList& commands, const AtmosphereBlock&
 
 void MultiScatterPass::record_pass(rhi::CommandList& commands, PassScope& scope) {
     const bool first = next_ == 0;
-    const bool last = next_ + 1 == passes_;  // never the first: multi_scatter_orders is at least 2
+    const bool last = next_ + 1 == passes_;  // never the first: a pass is made for 2 orders at least
     const int parity = next_ % 2;
     TrackedTexture& sum_out = last ? table_ : sum_[parity];
 

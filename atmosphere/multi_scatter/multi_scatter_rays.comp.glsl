@@ -17,6 +17,7 @@ IMAGE_2D(6, rays_out)
 SPEC_INT(8, RAY_NODES, 6)
 SPEC_BOOL(10, SINGLE_SCATTERING, true)
 SPEC_BOOL(11, MULTIPLE_SCATTERING, false)
+SPEC_BOOL(43, GROUND_LIGHT, true)  // what the ground reflects lights the air
 
 #include "common/ground.glsl"
 #include "common/march.glsl"
@@ -47,7 +48,7 @@ COMPUTE_MAIN(id) {
     vec3 radiance = light.multiple;
     if (SINGLE_SCATTERING)
         for (int c = 0; c < PHASE_COUNT; ++c) radiance += smooth_phase(c, ray.nu) * light.single[c];
-    if (ray.ground) {
+    if (GROUND_LIGHT && ray.ground) {
         real ground_mu_s = sun_mu_after(ray, ray.end, real(0));
         radiance += ground_radiance(
             light.depth, SINGLE_SCATTERING ? ground_beam_irradiance(ground_mu_s) : ground_diffuse_irradiance(ground_mu_s));

@@ -60,7 +60,7 @@ void measure(Parts& parts, Backends& backends, std::span<const char* const> pres
         if (shared) {
             trio.share_air();
             trio.each([](AirRig& rig) {
-                dynamic_cast<detail::AureoleAir&>(*rig.air.impl().tables->model).multi_scatter().restart();
+                dynamic_cast<detail::AureoleAir&>(*rig.air.impl().tables->model).multi_scatter()->restart();
                 CHECK(rig.record_air().dispatches > 0);
                 CHECK(!rig.air.reports()[0].recorded);
             });

@@ -18,13 +18,13 @@ double order_ratio(double depth, double scattering_depth, double ground_albedo) 
 
 }  // namespace
 
-double order_ratio(const AtmosphereParameters& parameters) {
+double order_ratio(const AtmosphereParameters& parameters, bool ground_light) {
     AtmosphereParameters scattering = parameters;
     for (DensityTerm& term : scattering.terms) term.absorption_per_m = Rgb(0);
     const Rgb depth = vertical_optical_depth(parameters), scattering_depth = vertical_optical_depth(scattering);
+    const Rgb albedo = ground_light ? parameters.planet.ground_albedo : Rgb(0);
     double result = 0;
-    for (int c = 0; c < 3; ++c)
-        result = std::max(result, order_ratio(depth[c], scattering_depth[c], parameters.planet.ground_albedo[c]));
+    for (int c = 0; c < 3; ++c) result = std::max(result, order_ratio(depth[c], scattering_depth[c], albedo[c]));
     return std::min(result, 1.0);
 }
 

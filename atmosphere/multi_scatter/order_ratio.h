@@ -10,7 +10,8 @@ namespace aureole::detail {
 /// Of light that sets out evenly in a flat layer of optical depth t, (1 - 2 E_3(t)) / (2 t) leaves it unscattered, half of that
 /// downwards, where the ground returns its albedo and 1 - 2 E_3(t) of this is caught again. Of what is caught, the layer's
 /// single-scattering albedo goes on. Clear air: 0.35; a layer of dust of depth 2: 0.7; a cloud that absorbs nothing: 1.
-[[nodiscard]] double order_ratio(const AtmosphereParameters& parameters);
+/// `ground_light` false (QualitySettings): as over black ground.
+[[nodiscard]] double order_ratio(const AtmosphereParameters& parameters, bool ground_light = true);
 
 /// Above this ratio later orders take as many nodes a ray as the first (QualitySettings::multi_scatter_later_nodes).
 inline constexpr double slow_order_ratio = 0.7;

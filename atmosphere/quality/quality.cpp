@@ -25,6 +25,13 @@ void check_angular_order(const QualitySettings& s) {
     detail::reject("aureole.angular_order", std::to_string(order), "0, 2, 4, 6 or 8");
 }
 
+/// The rest is extrapolated from the last two: one is too few.
+void check_orders(const QualitySettings& s) {
+    const int orders = s.multi_scatter_orders;
+    if (orders == 0 || (orders >= 2 && orders <= 64)) return;
+    detail::reject("aureole.multi_scatter_orders", std::to_string(orders), "0, or in [2, 64]");
+}
+
 }  // namespace
 
 void validate(const QualitySettings& s) {
@@ -36,7 +43,7 @@ void validate(const QualitySettings& s) {
     detail::check("aureole.multi_scatter_azimuth", s.multi_scatter_azimuth, 2, 32);
     check_nodes("aureole.multi_scatter_nodes", s.multi_scatter_nodes);
     check_nodes("aureole.multi_scatter_later_nodes", s.multi_scatter_later_nodes);
-    detail::check("aureole.multi_scatter_orders", s.multi_scatter_orders, 2, 64);  // the rest is extrapolated from the last two
+    check_orders(s);
     detail::check_sky_view("aureole.sky_view", s.sky_view);
     check_nodes("aureole.sky_view_nodes", s.sky_view_nodes);
     detail::check_froxels("aureole.aerial_perspective", s.aerial_perspective);

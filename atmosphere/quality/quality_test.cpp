@@ -94,6 +94,10 @@ TEST_CASE("quality: every choice") {
     for (const int order : {-1, 1, 3, 5, 7, 9, 16})
         CHECK(rejected([&](auto& q) { q.angular_order = order; }) == "aureole.angular_order");
     for (const int order : {0, 2, 4, 6, 8}) CHECK(rejected([&](auto& q) { q.angular_order = order; }) == "nothing");
+    for (const int orders : {-1, 1, 65})
+        CHECK(rejected([&](auto& q) { q.multi_scatter_orders = orders; }) == "aureole.multi_scatter_orders");
+    CHECK(rejected([](auto& q) { q.multi_scatter_orders = 0; }) == "nothing");
+    for (const bool light : {false, true}) CHECK(rejected([&](auto& q) { q.ground_light = light; }) == "nothing");
     for (const rhi::Format format : {rhi::Format::undefined, rhi::Format::r32_float, rhi::Format::rgba8_unorm}) {
         CHECK(rejected([&](auto& q) { q.table_format = format; }) == "aureole.table_format");
         CHECK(rejected([&](auto& q) { q.froxel_format = format; }) == "aureole.froxel_format");

@@ -204,14 +204,16 @@ TEST_CASE("shadows: where all is dark, multiple scattering is left") {
     const ModelPtr all = models::aureole(QualitySettings::standard()), once = models::single_lut({});
     Rig shadowed(*backend, setup_of(all, deep, presets::earth())), plain(*backend, setup_of(all, {}, presets::earth())),
         single(*backend, setup_of(once, {}, presets::earth())), single_dark(*backend, setup_of(once, deep, presets::earth()));
+    QualitySettings first_order;
+    first_order.multi_scatter_orders = 0;
+    Rig tables_dark(*backend, setup_of(models::aureole(first_order), deep, presets::earth()));
     ShadowMap map;
     map.texture = map_of(*backend, 1, 4, [](auto, auto) { return dark; });
     map.world_to_map[0] = from_above(-1e6, 2e6);
     map.world_to_map[0][2][2] = -1 / 400e3;
     map.world_to_map[0][3][2] = (ground + 200e3) / 400e3;
-    for (Rig* rig : {&shadowed, &plain, &single, &single_dark}) rig->record_air();
-    shadowed.view.set_shadow_map(map);
-    single_dark.view.set_shadow_map(map);
+    for (Rig* rig : {&shadowed, &plain, &single, &single_dark, &tables_dark}) rig->record_air();
+    for (Rig* rig : {&shadowed, &single_dark, &tables_dark}) rig->view.set_shadow_map(map);
     for (const double distance : {30e3, infinity}) {
         CAPTURE(distance);
         const Sun sun = sun_at(30);
@@ -221,6 +223,7 @@ TEST_CASE("shadows: where all is dark, multiple scattering is left") {
               doctest::Approx(lit_all - lit_once).scale(1e-300).epsilon(0.02));
         CHECK(lit_all - lit_once > 0.1 * lit_all);
         CHECK(middle(look_along(single_dark, distance, sun, 0.4)) < 0.005 * lit_once);
+        CHECK(middle(look_along(tables_dark, distance, sun, 0.4)) < 0.02 * lit_once);
     }
 }
 

@@ -7,6 +7,7 @@
 #define AUREOLE_PHASE_TABLE 7
 #define AUREOLE_TRANSMITTANCE_TABLE
 #define AUREOLE_MULTI_SCATTER_TABLE
+#define AUREOLE_SKY_LIGHTS_GROUND
 UNIFORMS(0, AtmosphereBlock, atm)
 UNIFORMS(1, QuadratureBlock, quadrature)
 SAMPLER_2D(3, transmittance_table)
@@ -15,7 +16,7 @@ UNIFORMS(5, ViewBlock, view)
 IMAGE_2D(6, sky_view_out)
 SPEC_INT(8, RAY_NODES, 8)
 CONST(bool, SINGLE_SCATTERING, true)
-CONST(bool, MULTIPLE_SCATTERING, true)
+SPEC_BOOL(11, MULTIPLE_SCATTERING, true)  // false: multi_scatter_table is not read
 
 #include "common/march.glsl"
 #include "sky_view/sky_view.glsl"

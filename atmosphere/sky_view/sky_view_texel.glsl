@@ -10,11 +10,11 @@
 #define AUREOLE_SKY_VIEW_MARCH march
 #endif
 
-// What lights the ground: the sun's beam and, where multiple scattering is known, the sky.
+// What lights the ground: the sun's beam and, where a kernel that defines AUREOLE_SKY_LIGHTS_GROUND knows multiple scattering, the sky.
 vec3 ground_irradiance(real mu_s) {
     vec3 irradiance = ground_beam_irradiance(mu_s);
-#ifdef AUREOLE_MULTI_SCATTER_TABLE
-    irradiance += ground_diffuse_irradiance(mu_s);
+#ifdef AUREOLE_SKY_LIGHTS_GROUND
+    if (MULTIPLE_SCATTERING) irradiance += ground_diffuse_irradiance(mu_s);
 #endif
     return irradiance;
 }

@@ -1,10 +1,10 @@
 // The table of settings in atmosphere/quality/quality.md says what the settings are.
 #include <aureole/quality.h>
 
+#include "docs/page_table.h"
+
 #include <doctest/doctest.h>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -29,6 +29,7 @@ std::map<std::string, std::string> knobs(const QualitySettings& s) {
             {"multi_scatter_nodes", std::to_string(s.multi_scatter_nodes)},
             {"multi_scatter_later_nodes", std::to_string(s.multi_scatter_later_nodes)},
             {"multi_scatter_orders", std::to_string(s.multi_scatter_orders)},
+            {"ground_light", s.ground_light ? "yes" : "no"},
             {"sky_view", print(s.sky_view)},
             {"sky_view_nodes", std::to_string(s.sky_view_nodes)},
             {"aerial_perspective", print(s.aerial_perspective)},
@@ -37,35 +38,10 @@ std::map<std::string, std::string> knobs(const QualitySettings& s) {
             {"froxel_format", rhi::to_string(s.froxel_format)}};
 }
 
-std::vector<std::string> cells(const std::string& line) {
-    std::vector<std::string> result;
-    std::istringstream in(line.substr(1));
-    for (std::string cell; std::getline(in, cell, '|');) {
-        std::erase_if(cell, [](char c) { return c == ' ' || c == '`'; });
-        result.push_back(cell);
-    }
-    return result;
-}
-
-/// Rows of the table that starts with "| Knob | low", by their first cell; "Knob" holds the settings' names.
-std::map<std::string, std::vector<std::string>> table() {
-    std::ifstream page(AUREOLE_QUALITY_PAGE);
-    std::map<std::string, std::vector<std::string>> rows;
-    for (std::string line; std::getline(page, line);) {
-        if (rows.empty() && !line.starts_with("| Knob | low")) continue;
-        if (!line.starts_with("|")) break;
-        std::vector<std::string> row = cells(line);
-        const std::string name = row.front();
-        row.erase(row.begin());
-        if (!name.starts_with("---")) rows[name] = row;
-    }
-    return rows;
-}
-
 }  // namespace
 
 TEST_CASE("quality.md: every knob of every setting") {
-    auto rows = table();
+    auto rows = docs::page_table(AUREOLE_QUALITY_PAGE, "| Knob | low");
     const std::vector<std::string> settings = rows["Knob"];
     REQUIRE(settings == std::vector<std::string>{"low", "default", "high"});
     rows.erase("Knob");

@@ -52,11 +52,11 @@ public:
     /// Gives all of them the CPU float's tables that follow from the air alone: what is recorded then is a comparison of its
     /// own pass, without what went before.
     void share_air() {
-        const Image transmittance = single.transmittance(), multi_scatter = single.multi_scatter();
-        each([&](R& rig) {
-            rig.backend.write(rig.air.transmittance_table(), transmittance);
-            rig.backend.write(rig.air.multi_scatter_table(), multi_scatter);
-        });
+        const Image transmittance = single.transmittance();
+        each([&](R& rig) { rig.backend.write(rig.air.transmittance_table(), transmittance); });
+        if (!single.air.multi_scatter_table()) return;
+        const Image multi_scatter = single.multi_scatter();
+        each([&](R& rig) { rig.backend.write(rig.air.multi_scatter_table(), multi_scatter); });
     }
     [[nodiscard]] Images read(Image (R::*table)()) {
         Images images{(single.*table)(), (exact.*table)(), {}};

@@ -79,10 +79,11 @@ public:
     /// stays complete meanwhile. A solution that has been started is finished for the air that it was started for, and shown;
     /// the next one is for the air of that moment, so air that changes every frame is followed: what is shown is
     /// less than two solutions' frames old. Solved at once all the same: the first solution, one after a change of the planet's
-    /// radii or of the structure, and that of a model without orders to solve (hillaire). n > 0 keeps a copy of what a solution
-    /// reads: memory of one more transmittance table, and of the tabulated profiles (table_bytes); of `bruneton`, which shows
-    /// the old air whole meanwhile, one more set of all tables. `first_too`: a model whose solution takes seconds spreads its
-    /// first one as well; until that one is complete views have nothing to show.
+    /// radii or of the structure, and that of a model without orders to solve (hillaire, or aureole with
+    /// QualitySettings::multi_scatter_orders 0). n > 0 keeps a copy of what a solution reads: memory of one more transmittance
+    /// table, and of the tabulated profiles (table_bytes); of `bruneton`, which shows the old air whole meanwhile, one more set
+    /// of all tables. `first_too`: a model whose solution takes seconds spreads its first one as well; until that one is
+    /// complete views have nothing to show.
     void set_multi_scatter_passes_per_frame(int passes, bool first_too = false);
 
     /// Frame number, in the host's counting, of the recording that follows: objects replaced by set_* die after it. Any number;
@@ -110,8 +111,8 @@ public:
     // Null of a model that keeps no such table (its page says which it keeps).
     /// Optical depth to the top: see transmittance.glsl.
     [[nodiscard]] rhi::Texture transmittance_table() const noexcept;
-    /// Of `aureole` moments (multi_scatter.glsl), of `hillaire` its isotropic source. Null in N wavelengths
-    /// (models/spectral.h).
+    /// Of `aureole` moments (multi_scatter.glsl; null where QualitySettings::multi_scatter_orders is 0), of `hillaire` its
+    /// isotropic source. Null in N wavelengths (models/spectral.h).
     [[nodiscard]] rhi::Texture multi_scatter_table() const noexcept;
     [[nodiscard]] std::uint64_t table_bytes() const noexcept;  ///< Device memory of the tables, those at work included.
 

@@ -31,7 +31,10 @@ struct QualitySettings {
                                            ///< thick air (order_ratio.h: above 0.7) at least as many as for the first.
     int multi_scatter_orders = 3;          ///< Passes of the fixed point before the rest is extrapolated from the last two, in
                                            ///< [2, 64]. Air in which orders fade more slowly than in a clear sky gets more, up
-                                           ///< to 64.
+                                           ///< to 64. Or 0: single scattering alone. Then there is no table of moments, and
+                                           ///< the ground is lit by the sun alone.
+    bool ground_light = true;              ///< What the ground reflects lights the air. False: it does not, and the ground
+                                           ///< itself looks as it does, lit by the sun and by the sky over black ground.
 
     rhi::Extent sky_view{40, 192, 1};  ///< Azimuth x elevation nodes. Each in [4, 4096]; elevations even: half of them below
                                        ///< the horizon, half above.

@@ -25,8 +25,9 @@ public:
     [[nodiscard]] const QualitySettings& quality() const noexcept override { return quality_; }
     [[nodiscard]] QualitySettings quality_for(const AtmosphereParameters& parameters) const override {
         QualitySettings result = quality_;
+        if (quality_.multi_scatter_orders == 0) return result;
         // What each scattering loses between the nodes is lost as often as light is scattered.
-        if (order_ratio(parameters) > slow_order_ratio)
+        if (order_ratio(parameters, quality_.ground_light) > slow_order_ratio)
             result.multi_scatter_later_nodes = std::max(result.multi_scatter_later_nodes, result.multi_scatter_nodes);
         if (!quality_.angular_order_as_needed) return result;
         result.angular_order = angular_order_for(parameters, quality_.angular_order);
@@ -48,22 +49,30 @@ private:
 };
 
 TableViewResources checked(const ViewResources& shared, const ViewSettings& settings, TrackedTexture& transmittance,
-                           TrackedTexture& multi_scatter) {
+                           TrackedTexture* multi_scatter) {
     const QualitySettings& quality = shared.air.quality;
     const std::uint32_t layers = layers_with_sharp_phases(shared.air.air);
     const ViewTableSizes sizes{quality.sky_view.height, settings.aerial_perspective ? quality.aerial_perspective.height : 0};
     require_view(shared.objects.device(), "aureole", sizes, shared.suns, layers);
-    return {shared, transmittance, multi_scatter, layers, {}};
+    // Without a table any one that is readable stands in its slot. 11: MULTIPLE_SCATTERING.
+    return {shared,
+            transmittance,
+            multi_scatter != nullptr ? *multi_scatter : transmittance,
+            layers,
+            {{11, multi_scatter != nullptr ? 1U : 0U}}};
 }
 
 }  // namespace
 
 AureoleAir::AureoleAir(AirResources& shared, const AtmosphereParameters& parameters)
-    : shared_(shared),
-      transmittance_(shared, transmittance_kernel(shared.quality)),
-      multi_scatter_(shared, transmittance_.table(), order_ratio(parameters)) {}
+    : shared_(shared), transmittance_(shared, transmittance_kernel(shared.quality)) {
+    if (shared.quality.multi_scatter_orders > 0)
+        multi_scatter_.emplace(shared, transmittance_.table(), order_ratio(parameters, shared.quality.ground_light));
+}
 
-std::span<const std::string_view> AureoleAir::passes() const noexcept { return air_passes; }
+std::span<const std::string_view> AureoleAir::passes() const noexcept {
+    return std::span(air_passes).first(multi_scatter_ ? 2 : 1);
+}
 
 void AureoleAir::complete(const AtmosphereParameters& parameters, AtmosphereBlock& block) const noexcept {
     block.sun_mapping = sun_mapping(parameters.planet);
@@ -72,13 +81,13 @@ void AureoleAir::complete(const AtmosphereParameters& parameters, AtmosphereBloc
 void AureoleAir::restart(const AtmosphereParameters& parameters, const AtmosphereBlock& before, const AtmosphereBlock& fresh) {
     const bool same_axes =
         fresh.radii == before.radii && fresh.sun_mapping == before.sun_mapping && fresh.tables.z == before.tables.z;
-    multi_scatter_.restart(order_ratio(parameters), same_axes);
+    if (multi_scatter_) multi_scatter_->restart(order_ratio(parameters, shared_.quality.ground_light), same_axes);
     transmittance_stale_ = true;
 }
 
 void AureoleAir::invalidate() noexcept {
     transmittance_.invalidate();
-    multi_scatter_.invalidate();
+    if (multi_scatter_) multi_scatter_->invalidate();
     transmittance_stale_ = true;
 }
 
@@ -87,24 +96,27 @@ bool AureoleAir::record(rhi::CommandList& commands, const AtmosphereBlock& block
     bool changed = transmittance_stale_;
     if (transmittance_stale_) transmittance_.record(commands, reports[0], timestamps, 0);
     transmittance_stale_ = false;
-    if (!multi_scatter_.finished())
-        changed |= multi_scatter_.record(commands, block, passes_per_frame_, reports[1], timestamps, 1);
+    if (solving()) changed |= multi_scatter_->record(commands, block, passes_per_frame_, reports[1], timestamps, 1);
     return changed;
 }
 
-bool AureoleAir::ready() const noexcept { return multi_scatter_.table().state != rhi::State::undefined; }
+bool AureoleAir::ready() const noexcept {
+    const TrackedTexture& last = multi_scatter_ ? multi_scatter_->table() : transmittance_.table();
+    return last.state != rhi::State::undefined;
+}
 
 void AureoleAir::spread(int passes_per_frame, bool /*first_too*/) {
-    multi_scatter_.keep_copy(passes_per_frame > 0);
+    if (multi_scatter_) multi_scatter_->keep_copy(passes_per_frame > 0);
     passes_per_frame_ = passes_per_frame;
 }
 
 std::unique_ptr<ModelView> AureoleAir::make_view(ViewResources& shared, const ViewSettings& settings) {
-    return std::make_unique<AureoleView>(shared, settings, transmittance_.table(), multi_scatter_.table());
+    return std::make_unique<AureoleView>(shared, settings, transmittance_.table(),
+                                         multi_scatter_ ? &multi_scatter_->table() : nullptr);
 }
 
 AureoleView::AureoleView(ViewResources& shared, const ViewSettings& settings, TrackedTexture& transmittance,
-                         TrackedTexture& multi_scatter)
+                         TrackedTexture* multi_scatter)
     : shared_(checked(shared, settings, transmittance, multi_scatter)),
       sky_view_(shared_, {&shaders::sky_view, shared.air.quality.sky_view, shared.air.quality.table_format,
                           shared.air.quality.sky_view_nodes}),

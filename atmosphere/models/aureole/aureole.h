@@ -8,6 +8,8 @@
 #include "sky_view/sky_view.h"
 #include "transmittance/transmittance.h"
 
+#include <optional>
+
 namespace aureole::detail {
 
 class AureoleAir final : public ModelAir {
@@ -21,27 +23,35 @@ public:
     bool record(rhi::CommandList& commands, const AtmosphereBlock& block, std::span<PassReport> reports,
                 TimestampSlots timestamps) override;
     [[nodiscard]] bool ready() const noexcept override;
-    [[nodiscard]] bool due() const noexcept override { return transmittance_stale_ || !multi_scatter_.finished(); }
+    [[nodiscard]] bool due() const noexcept override { return transmittance_stale_ || solving(); }
     [[nodiscard]] std::vector<LightTexture> light_textures() override { return {{&transmittance_.table(), 1, 0}}; }
     void spread(int passes_per_frame, bool first_too) override;
-    [[nodiscard]] std::uint64_t more_texture_bytes() const noexcept override { return multi_scatter_.copy_bytes(); }
+    [[nodiscard]] std::uint64_t more_texture_bytes() const noexcept override {
+        return multi_scatter_ ? multi_scatter_->copy_bytes() : 0;
+    }
     [[nodiscard]] std::unique_ptr<ModelView> make_view(ViewResources& shared, const ViewSettings& settings) override;
     [[nodiscard]] rhi::Texture transmittance_table() const noexcept override { return transmittance_.table().handle; }
-    [[nodiscard]] rhi::Texture multi_scatter_table() const noexcept override { return multi_scatter_.table().handle; }
-    [[nodiscard]] MultiScatterPass& multi_scatter() noexcept { return multi_scatter_; }
+    [[nodiscard]] rhi::Texture multi_scatter_table() const noexcept override {
+        return multi_scatter_ ? multi_scatter_->table().handle : rhi::Texture{};
+    }
+    /// None where QualitySettings::multi_scatter_orders is 0.
+    [[nodiscard]] std::optional<MultiScatterPass>& multi_scatter() noexcept { return multi_scatter_; }
 
 private:
+    [[nodiscard]] bool solving() const noexcept { return multi_scatter_ && !multi_scatter_->finished(); }
+
     AirResources& shared_;
     TransmittancePass transmittance_;
-    MultiScatterPass multi_scatter_;
+    std::optional<MultiScatterPass> multi_scatter_;
     int passes_per_frame_ = 0;
     bool transmittance_stale_ = true;
 };
 
 class AureoleView final : public ModelView {
 public:
+    /// `multi_scatter`: null for single scattering alone.
     AureoleView(ViewResources& shared, const ViewSettings& settings, TrackedTexture& transmittance,
-                TrackedTexture& multi_scatter);
+                TrackedTexture* multi_scatter);
 
     [[nodiscard]] std::span<const std::string_view> passes() const noexcept override;
     [[nodiscard]] const ModelKernels& kernels() const noexcept override { return kernels_; }

@@ -56,9 +56,6 @@ RayLight march_steps(Ray ray, int steps, bool growing) {
     return light;
 }
 
-// The ground has no light but the sun's beam: the published model leaves the sky's to the host's materials.
-vec3 ground_diffuse_irradiance(real) { return vec3(real(0)); }
-
 // Aerial perspective takes as much of each colour, by the mean of the three transmittances, or of each its own.
 SPEC_BOOL(28, GREY_TRANSMITTANCE, false)
 

@@ -155,7 +155,8 @@ std::vector<SpectralAir::Triplet> SpectralAir::at_triplets(const AtmosphereParam
 
 void SpectralAir::finish_together(std::span<const Triplet> fresh) {
     double slowest = 0;
-    for (const Triplet& air : fresh) slowest = std::max(slowest, order_ratio(air.parameters));
+    const bool ground_light = inner_->quality().ground_light;
+    for (const Triplet& air : fresh) slowest = std::max(slowest, order_ratio(air.parameters, ground_light));
     for (const auto& air : airs_) air->shared.slowest_order_ratio = slowest;
 }
 

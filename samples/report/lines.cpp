@@ -8,7 +8,7 @@ namespace aureole::app {
 namespace {
 
 /// A text as a cell, in quotes where it must be.
-std::string quoted(const std::string& text) {
+std::string in_cell(const std::string& text) {
     if (text.find_first_of(",\"\r\n#") == std::string::npos) return text;
     std::string out = "\"";
     for (const char c : text) out.append(c == '"' ? "\"\"" : std::string(1, c));
@@ -53,22 +53,27 @@ std::vector<Column> identity_columns(const Measurements& all) {
     const auto without = [](const Row& row) {
         std::string text;
         for (const std::string& part : row.setting.without) text.append(text.empty() ? "" : " ").append(part);
-        return quoted(text);
+        return in_cell(text);
     };
     const auto baseline = [&all](const Row& row) {
-        return row.setting.baseline ? quoted(all.settings[*row.setting.baseline].id) : std::string();
+        return row.setting.baseline ? in_cell(all.settings[*row.setting.baseline].id) : std::string();
     };
-    return {{"scene", [](const Row& row) { return quoted(row.scene.id); }},
-            {"class", [](const Row& row) { return quoted(row.scene.scene_class); }},
-            {"air", [](const Row& row) { return quoted(row.scene.air); }},
-            {"sun_elevation_deg", [](const Row& row) { return print_number(row.scene.sun_elevation_deg); }},
-            {"altitude_m", [](const Row& row) { return print_number(row.scene.altitude_m); }},
-            {"setting", [](const Row& row) { return quoted(row.setting.id); }},
-            {"model", [](const Row& row) { return quoted(row.setting.model); }},
-            {"quality", [](const Row& row) { return quoted(row.setting.quality); }},
-            {"spectral", [](const Row& row) { return quoted(row.setting.spectral); }},
-            {"without", without},
-            {"baseline", baseline}};
+    std::vector<Column> columns;
+    const auto add = [&](const char* name, std::function<std::string(const Row&)> text) {
+        columns.push_back({name, std::move(text)});
+    };
+    add("scene", [](const Row& row) { return in_cell(row.scene.id); });
+    add("class", [](const Row& row) { return in_cell(row.scene.scene_class); });
+    add("air", [](const Row& row) { return in_cell(row.scene.air); });
+    add("sun_elevation_deg", [](const Row& row) { return print_number(row.scene.sun_elevation_deg); });
+    add("altitude_m", [](const Row& row) { return print_number(row.scene.altitude_m); });
+    add("setting", [](const Row& row) { return in_cell(row.setting.id); });
+    add("model", [](const Row& row) { return in_cell(row.setting.model); });
+    add("quality", [](const Row& row) { return in_cell(row.setting.quality); });
+    add("spectral", [](const Row& row) { return in_cell(row.setting.spectral); });
+    add("without", without);
+    add("baseline", baseline);
+    return columns;
 }
 
 std::vector<Column> columns_of(const Measurements& all) {

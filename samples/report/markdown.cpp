@@ -3,6 +3,7 @@
 #include "report/summary.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace aureole::app {

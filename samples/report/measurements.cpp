@@ -106,8 +106,11 @@ std::vector<MeasuredSetting> read_settings(const Field& root, Places& known) {
     const std::vector<Field> fields = root.list("settings");
     std::vector<MeasuredSetting> settings;
     for (const Field& field : fields) {
-        MeasuredSetting setting{new_id(field, known), field.at("model").text(), field.at("quality").text(),
-                                field.at("spectral").text()};
+        MeasuredSetting setting;
+        setting.id = new_id(field, known);
+        setting.model = field.at("model").text();
+        setting.quality = field.at("quality").text();
+        setting.spectral = field.at("spectral").text();
         for (const Field& part : field.list("without", true)) setting.without.push_back(part.text());
         settings.push_back(std::move(setting));
     }
@@ -183,7 +186,10 @@ MeasuredPicture read_picture(const Field& field, const Places& scenes, const Pla
 Measurements read_measurements(const json& document, const std::string& source) {
     const Field root(document, source);
     if (root.at("version").number(0, 1e9, "1") != 1) root.at("version").reject("1");
-    Measurements all{root.at("suite").text(), root.at("library").text(), root.at("device").text()};
+    Measurements all;
+    all.suite = root.at("suite").text();
+    all.library = root.at("library").text();
+    all.device = root.at("device").text();
     if (root.has("cost_device")) all.cost_device = root.at("cost_device").text();
     Places scenes, settings;
     std::set<std::string> airs;

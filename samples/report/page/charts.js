@@ -37,7 +37,7 @@ const colour = (field, colours) =>
     ({field, type: 'nominal', legend: null, scale: {domain: [...colours.keys()], range: [...colours.values()]}});
 
 const wholeChart = (height, more) => ({
-    width: 'container', height, autosize: {type: typeof height === 'number' ? 'fit' : 'fit-x', contains: 'padding'},
+    width: 'container', height, autosize: {type: 'fit', contains: 'padding'},
     config: config(), ...more,
 });
 
@@ -71,7 +71,8 @@ function frontChart(rows, front, titles, colours) {
 /** Rows: elevation, y (> 0), setting, model, dash (strokes), tips. */
 function sunChart(rows, title, colours) {
     const encoding = {
-        x: {field: 'elevation', type: 'quantitative', title: "Sun's elevation, degrees", scale: {nice: false, padding: 8}},
+        x: {field: 'elevation', type: 'quantitative', title: "Sun's elevation, degrees", scale: {nice: false, padding: 8},
+            axis: {tickCount: 10}},
         y: logAxis('y', title, rows.map((row) => row.y), '~g'),
         color: colour('model', colours),
         detail: {field: 'setting', type: 'nominal'},
@@ -93,16 +94,16 @@ function splitChart(rows, totals, settings, title, colours, log) {
                   : {field: 'value', type: 'quantitative', title, axis: {format: '~g'}};
     const y = {field: 'setting', type: 'nominal', title: null, sort: settings};
     const encoding = {x: log ? x : {...x, stack: 'zero'}, y, color: colour('part', colours), tooltip: tooltip(rows)};
-    return wholeChart({step: 22}, {
+    return wholeChart(50 + 22 * settings.length, {
         layer: [
             {
                 data: {values: rows.map((row) => withTips({...row, order: parts.indexOf(row.part)}))},
-                mark: log ? {type: 'point', filled: true, size: 80, opacity: 1} : {type: 'bar', height: 13},
+                mark: log ? {type: 'point', filled: true, size: 80, opacity: 1} : {type: 'bar', height: 11},
                 encoding: log ? encoding : {...encoding, order: {field: 'order', type: 'quantitative'}},
             },
             {
                 data: {values: totals.map(withTips)},
-                mark: {type: 'tick', color: token('ink'), thickness: 2, size: 18},
+                mark: {type: 'tick', color: token('ink'), thickness: 2.5, size: 19},
                 encoding: {x, y, tooltip: tooltip(totals)},
             },
         ],

@@ -44,7 +44,7 @@ const wholeChart = (height, more) => ({
 /** Rows: x, y (both > 0), model, whole, tips. Front: those of the rows that are on it, from cheap to exact. */
 function frontChart(rows, front, titles, colours) {
     const x = logAxis('x', titles.x, rows.map((row) => row.x), titles.xFormat);
-    const y = logAxis('y', titles.y, rows.map((row) => row.y), '~g');
+    const y = logAxis('y', titles.y, rows.map((row) => row.y), '~r');
     const on = new Set(front);
     return wholeChart(280, {
         layer: [
@@ -73,7 +73,7 @@ function sunChart(rows, title, colours) {
     const encoding = {
         x: {field: 'elevation', type: 'quantitative', title: "Sun's elevation, degrees", scale: {nice: false, padding: 8},
             axis: {tickCount: 10}},
-        y: logAxis('y', title, rows.map((row) => row.y), '~g'),
+        y: logAxis('y', title, rows.map((row) => row.y), '~r'),
         color: colour('model', colours),
         detail: {field: 'setting', type: 'nominal'},
     };
@@ -90,8 +90,8 @@ function sunChart(rows, title, colours) {
 function splitChart(rows, totals, settings, title, colours, log) {
     const parts = [...colours.keys()];
     const values = [...rows, ...totals].map((row) => row.value);
-    const x = log ? logAxis('value', title, values, '~g')
-                  : {field: 'value', type: 'quantitative', title, axis: {format: '~g'}};
+    const x = log ? logAxis('value', title, values, '~r')
+                  : {field: 'value', type: 'quantitative', title, axis: {format: '~r'}};
     const y = {field: 'setting', type: 'nominal', title: null, sort: settings};
     const encoding = {x: log ? x : {...x, stack: 'zero'}, y, color: colour('part', colours), tooltip: tooltip(rows)};
     return wholeChart(50 + 22 * settings.length, {

@@ -113,10 +113,13 @@ function fronts(data, settings) {
             }
             const front = paretoFront(rows);
             const title = STATISTICS.find(([key]) => key === statistic())[1];
-            draw(chart, frontChart(rows, front, {x: figure.title, xFormat: figure.unit === 'count' ? '~s' : '~g',
+            draw(chart, frontChart(rows, front, {x: figure.title, xFormat: figure.unit === 'count' ? '~s' : '~r',
                                                  y: `${title} of the error (${region()}), %`}, colours));
             const list = front.map((row) => `${row.setting} (${inUnit(row.cost, figure.unit)}, ${percent(row.error)})`);
-            chart.after(element('p', {textContent: `Front: ${list.join(' → ')}.${unlist(missing)}`}));
+            chart.after(
+                element('details', {}, element('summary', {textContent: `On the front: ${front.length} of ${rows.length}`}),
+                        element('ol', {}, ...list.map((textContent) => element('li', {textContent})))),
+                ...(missing.length ? [element('p', {textContent: unlist(missing).trim()})] : []));
         }
     }
     return redraw;

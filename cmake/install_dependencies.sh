@@ -4,7 +4,7 @@
 #   cmake/install_dependencies.sh [--no-install] [--tests] [--format]
 #
 #   --no-install  only check: exit 1 and name what is missing
-#   --tests       also what ./test.sh needs (Vulkan validation layer)
+#   --tests       also what ./test.sh needs (Vulkan validation layer, a browser)
 #   --format      also what the format check needs (clang-format 14)
 set -euo pipefail
 
@@ -20,12 +20,14 @@ packages=(
     python-matplotlib-data                              # application: the terrain of the demo
     doctest-dev                                         # tests
 )
+# The libraries of the report's charts. Where npm has come with another Node.js than Debian's, Debian's would not go with it.
+command -v npm > /dev/null || packages+=(npm)
 
 install=yes
 for argument in "$@"; do
     case "$argument" in
         --no-install) install=no ;;
-        --tests) packages+=(vulkan-validationlayers) ;;
+        --tests) packages+=(vulkan-validationlayers chromium) ;;
         --format) packages+=(clang-format-14) ;;
         *) echo "install_dependencies.sh: unknown option $argument; allowed: --no-install --tests --format" >&2; exit 2 ;;
     esac

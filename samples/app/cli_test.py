@@ -296,12 +296,27 @@ def check_bench_and_devices():
                f'every model has a line: {text}')
 
 
+def check_report():
+    example = SCENES.parent / 'report/example.json'
+    works('report', example, '-o', FOLDER / 'report', '--no-html', '--markdown', FOLDER / 'trade.md')
+    tables = (FOLDER / 'report/tables.md').read_text()
+    expect('## Mars' in tables and (FOLDER / 'trade.md').read_text() == tables, 'report: tables')
+    expect(len((FOLDER / 'report/results.csv').read_text().splitlines()) == 12, 'report: lines')
+    works('report', example, '--markdown', FOLDER / 'only.md')
+    expect((FOLDER / 'only.md').read_text() == tables, 'report: tables alone')
+    fails('--output: is missing', 'report', example)
+    fails('no.json', 'report', FOLDER / 'no.json', '-o', FOLDER / 'none')
+    fails('bad.json: is no JSON', 'report', put('bad.json', '{"version":'), '-o', FOLDER / 'none')
+    fails('old.json: version: 7', 'report', put('old.json', '{"version": 7}'), '-o', FOLDER / 'none')
+    fails('is no folder', 'report', example, '-o', FOLDER / 'old.json', '--no-html')
+
+
 def check_help():
-    for command in ([], ['render'], ['probe'], ['score'], ['trace'], ['bench'], ['devices']):
+    for command in ([], ['render'], ['probe'], ['score'], ['trace'], ['bench'], ['report'], ['devices']):
         out = works(*command, '--help')
         expect(len(out.splitlines()) > 3, f'help of {command}')
     fails('ubcommand', )
-    fails('COMMAND: "frobnicate" is not allowed; allowed: render, probe, score, trace, bench, devices', '--verbose', 'frobnicate')
+    fails('COMMAND: "frobnicate" is not allowed; allowed: render, probe, score, trace, bench, report, devices', '--verbose', 'frobnicate')
     version = works('--version')
     expect(version.startswith('aureole ') and version.split()[1][0].isdigit(), f'version: {version}')
 
@@ -321,5 +336,6 @@ check_interrupted_sequence()
 check_score(check_probe())
 check_trace()
 check_bench_and_devices()
+check_report()
 print('\n'.join(failures) if failures else 'the command line keeps its word')
 sys.exit(1 if failures else 0)

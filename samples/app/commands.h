@@ -16,6 +16,7 @@ void add_trace_command(CLI::App& program);
 void add_truth_command(CLI::App& program);
 void add_measure_command(CLI::App& program);
 void add_bench_command(CLI::App& program);
+void add_report_command(CLI::App& program);
 void add_devices_command(CLI::App& program);
 
 /// --backend (by default what `options` holds), --device, --validation, --threads.

@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
     aureole::app::add_truth_command(program);
     aureole::app::add_measure_command(program);
     aureole::app::add_bench_command(program);
+    aureole::app::add_report_command(program);
     aureole::app::add_devices_command(program);
     try {
         name_unknown_command(program, argc, argv);

@@ -1,0 +1,73 @@
+#include "app/commands.h"
+#include "io/file.h"
+#include "report/report.h"
+
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace aureole::app {
+namespace {
+
+struct ReportCommand {
+    std::filesystem::path measurements, folder, markdown;
+    bool no_html = false;
+};
+
+nlohmann::json read_json(const std::filesystem::path& path) {
+    const std::string text = read_text(path);
+    try {
+        return nlohmann::json::parse(text);
+    } catch (const nlohmann::json::parse_error& problem) {
+        throw Error(ErrorCode::invalid_argument, path.string() + ": is no JSON: " + problem.what());
+    }
+}
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code problem;
+    std::filesystem::create_directories(folder, problem);
+    if (!std::filesystem::is_directory(folder))
+        throw Error(ErrorCode::io, "--output: " + folder.string() + " is no folder and cannot be made one");
+}
+
+void write(const std::filesystem::path& path, const std::string& text) {
+    write_text(path, text);
+    std::printf("%s\n", path.string().c_str());
+}
+
+void run_report(const ReportCommand& command) {
+    if (command.folder.empty() && command.markdown.empty())
+        throw Error(ErrorCode::invalid_argument, "--output: is missing; give it or --markdown");
+    const nlohmann::json measurements = read_json(command.measurements);
+    const std::string source = command.measurements.string();
+    const std::string tables = markdown_tables(measurements, source);
+    if (!command.folder.empty()) {
+        const std::string lines = csv_lines(measurements, source);
+        make_folder(command.folder);
+        if (!command.no_html) {
+            write_report(measurements, command.folder / "report.html", source);
+            std::printf("%s\n", (command.folder / "report.html").string().c_str());
+        }
+        write(command.folder / "results.csv", lines);
+        write(command.folder / "tables.md", tables);
+    }
+    if (!command.markdown.empty()) write(command.markdown, tables);
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& program) {
+    auto options = std::make_shared<ReportCommand>();
+    CLI::App* command = program.add_subcommand(
+        "report",
+        "What was measured, for people: report.html (one page with charts that opens from a disk, without a network), "
+        "results.csv (a line for each result, errors as fractions) and tables.md (for each class of scenes: errors and costs, "
+        "what the errors are made of, what each simplification costs)");
+    command->add_option("MEASUREMENTS.json", options->measurements, "The measurements, as JSON")->required();
+    command->add_option("-o,--output", options->folder, "Folder for the three; made if there is none");
+    command->add_option("--markdown", options->markdown, "Also, or only, write the tables to this file");
+    command->add_flag("--no-html", options->no_html, "Leave out the page, which a program built without npm does not have");
+    command->callback([options] { run_report(*options); });
+}
+
+}  // namespace aureole::app

@@ -1,0 +1,134 @@
+#include "report/numbers.h"
+#include "report/report.h"
+#include "report/summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace aureole::app {
+namespace {
+
+/// Of cost_figures, those that the tables have room for.
+constexpr std::array<std::string_view, 5> costs_shown{"per_frame_ms", "rebuild_ms", "per_frame_medium_evaluations",
+                                                      "per_frame_fetches", "bytes"};
+
+std::vector<Figure> shown_costs() {
+    std::vector<Figure> shown;
+    for (const Figure& figure : cost_figures)
+        if (std::find(costs_shown.begin(), costs_shown.end(), figure.key) != costs_shown.end()) shown.push_back(figure);
+    return shown;
+}
+
+/// A name as a table's cell takes it.
+std::string cell(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '|') out += '\\';
+        out += c == '\n' ? ' ' : c;
+    }
+    return out;
+}
+
+std::string join(std::span<const std::string> texts, std::string_view separator) {
+    std::string out;
+    for (const std::string& text : texts) out.append(out.empty() ? "" : separator).append(text);
+    return out;
+}
+
+std::string row(const std::vector<std::string>& cells) { return "| " + join(cells, " | ") + " |\n"; }
+
+/// The first column is text, the others numbers.
+std::string header(const std::vector<std::string>& titles) {
+    std::string rule = "|---|";
+    for (std::size_t i = 1; i < titles.size(); ++i) rule += "---:|";
+    return row(titles) + rule + "\n";
+}
+
+std::string settings_table(const Measurements& all, const ClassSummary& of) {
+    std::vector<std::string> titles{"Setting", "median, %", "p95, %", "max, %"};
+    for (const Figure& figure : scene_figures) titles.emplace_back(figure.title);
+    for (const Figure& figure : shown_costs()) titles.emplace_back(figure.title);
+    std::string out = header(titles);
+    for (const Summary& summary : of.settings) {
+        std::vector<std::string> cells{cell(all.settings[summary.setting].id)};
+        if (summary.scenes < of.scenes) cells[0] += " (" + std::to_string(summary.scenes) + " scenes)";
+        if (const auto found = summary.regions.find("all"); found != summary.regions.end())
+            for (const double error : {found->second.median, found->second.p95, found->second.max})
+                cells.push_back(in_unit(error, Unit::percent));
+        else
+            cells.insert(cells.end(), 3, std::string(not_measured));
+        for (const Figure& figure : scene_figures) cells.push_back(in_unit(summary.errors, figure));
+        for (const Figure& figure : shown_costs()) cells.push_back(in_unit(summary.costs, figure));
+        out += row(cells);
+    }
+    return out;
+}
+
+std::string split_table(const Measurements& all, const ClassSummary& of) {
+    std::string rows;
+    for (const Summary& summary : of.settings) {
+        if (summary.split.empty()) continue;
+        std::vector<std::string> cells{cell(all.settings[summary.setting].id)};
+        for (const std::string_view part : part_names) {
+            const auto found = summary.split.find(std::string(part));
+            const bool there = found != summary.split.end();
+            for (double Spread::*const which : {&Spread::median, &Spread::p95, &Spread::max})
+                cells.push_back(there ? in_unit(found->second.*which, Unit::percent) : std::string(not_measured));
+        }
+        rows += row(cells);
+    }
+    if (rows.empty()) return "What the errors are made of was not measured.\n";
+    std::vector<std::string> titles{"Setting"};
+    for (const std::string_view part : part_names)
+        for (const char* which : {" median", " p95", " max"}) titles.push_back(std::string(part) + which + ", %");
+    return "What the errors are made of:\n\n" + header(titles) + rows;
+}
+
+std::string added(const std::optional<double>& error) {
+    if (!error) return std::string(not_measured);
+    return (*error > 0 ? "+" : "") + in_unit(*error, Unit::percent);
+}
+
+/// "0.12 (34 %)": of what the baseline costs.
+std::string saved(const Simplification& of, const Figure& figure) {
+    const auto found = of.costs.find(std::string(figure.key));
+    if (found == of.costs.end()) return std::string(not_measured);
+    const auto [before, after] = found->second;
+    if (before == 0) return in_unit(before - after, figure.unit);
+    return in_unit(before - after, figure.unit) + " (" + std::to_string(std::lround(100 * (before - after) / before)) + " %)";
+}
+
+std::string simplifications_table(const Measurements& all, const ClassSummary& of) {
+    if (of.simplifications.empty()) return "What simplifications cost was not measured.\n";
+    std::vector<std::string> titles{"Without", "of", "added median, %", "added p95, %"};
+    for (const Figure& figure : shown_costs()) titles.push_back("saved " + std::string(figure.title));
+    std::string out = "What each simplification costs and saves:\n\n" + header(titles);
+    for (const Simplification& one : of.simplifications) {
+        std::vector<std::string> cells{cell(join(all.settings[one.setting].without, ", ")), cell(all.settings[one.baseline].id),
+                                       added(one.added_median), added(one.added_p95)};
+        for (const Figure& figure : shown_costs()) cells.push_back(saved(one, figure));
+        out += row(cells);
+    }
+    return out;
+}
+
+}  // namespace
+
+std::string markdown_tables(const nlohmann::json& measurements, const std::string& source) {
+    const Measurements all = read_measurements(measurements, source);
+    std::string out = "Suite `" + all.suite + "`, Aureole " + all.library + ". Errors: " + all.device +
+                      ". Costs: " + (all.costs.empty() || all.cost_device.empty() ? "not measured" : all.cost_device) + ".\n" +
+                      std::string(aggregation_note) + " " + std::string(not_measured) + ": not measured.\n";
+    for (const ClassSummary& of : summarize(all)) {
+        out += "\n## " + of.name + "\n\n" + std::to_string(of.scenes) + (of.scenes == 1 ? " scene.\n\n" : " scenes.\n\n");
+        if (of.settings.empty()) {
+            out += "Not measured.\n";
+            continue;
+        }
+        out += settings_table(all, of) + "\n" + split_table(all, of) + "\n" + simplifications_table(all, of);
+    }
+    return out;
+}
+
+}  // namespace aureole::app

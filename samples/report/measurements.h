@@ -1,0 +1,101 @@
+// What `aureole measure` has written, read and checked.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace aureole::app {
+
+/// Where in a scene, in the order of tables: `all` is every direction.
+inline constexpr std::array<std::string_view, 7> region_names{"all",       "zenith", "horizon", "aureole",
+                                                              "antisolar", "nadir",  "aerial"};
+/// What an error is made of.
+inline constexpr std::array<std::string_view, 3> part_names{"rounding", "discretisation", "model"};
+
+/// An error over many directions, as a fraction; infinite where light is shown and there is none.
+struct Spread {
+    double median = 0, p95 = 0, max = 0;
+};
+
+struct MeasuredScene {
+    std::string id, scene_class, air;
+    double sun_elevation_deg = 0, altitude_m = 0;
+};
+
+struct MeasuredSetting {
+    std::string id, model, quality, spectral;
+    std::vector<std::string> without;     ///< What was left out; empty: nothing.
+    std::optional<std::size_t> baseline;  ///< The setting that leaves nothing out; none: not to be compared.
+};
+
+/// One setting in one scene. Figures that were not measured are missing.
+struct MeasuredResult {
+    std::size_t scene = 0, setting = 0;
+    std::map<std::string, Spread> regions;    ///< By region_names, where there are directions.
+    std::map<std::string, std::size_t> rows;  ///< Directions in each of `regions`.
+    std::map<std::string, Spread> split;      ///< By part_names.
+    std::optional<Spread> delta_e;            ///< CIEDE2000.
+    std::map<std::string, double> figures;    ///< By keys of scene_figures.
+};
+
+/// One setting in one air.
+struct MeasuredCost {
+    std::string air;
+    std::size_t setting = 0;
+    std::map<std::string, double> figures;  ///< By keys of cost_figures.
+};
+
+/// Texts of PNG files in base64.
+struct MeasuredPicture {
+    std::string scene, setting;   ///< The setting's id, or "truth".
+    std::string png, difference;  ///< Empty: none.
+};
+
+struct Measurements {
+    std::string suite, library, device, cost_device;
+    std::vector<MeasuredScene> scenes;
+    std::vector<MeasuredSetting> settings;
+    std::vector<MeasuredResult> results;
+    std::vector<MeasuredCost> costs;
+    std::vector<MeasuredPicture> pictures;
+};
+
+/// How a figure is printed.
+enum class Unit { percent, delta_e, milliseconds, count, bytes };
+
+/// A figure in tables: its key in the data, its heading with the unit, and how it is printed.
+struct Figure {
+    std::string_view key, title;
+    Unit unit;
+};
+
+/// Errors of a whole scene beside those of regions.
+inline constexpr std::array<Figure, 5> scene_figures{{{"luminance_rmse", "luminance RMSE, %", Unit::percent},
+                                                      {"delta_e_p95", "ΔE2000 p95", Unit::delta_e},
+                                                      {"sky_illuminance", "illuminance, %", Unit::percent},
+                                                      {"sun_colour", "sun colour, %", Unit::percent},
+                                                      {"banding_delta_e", "banding, ΔE2000", Unit::delta_e}}};
+
+/// What a setting costs; times are medians.
+inline constexpr std::array<Figure, 10> cost_figures{{{"per_frame_ms", "per frame, ms", Unit::milliseconds},
+                                                      {"rebuild_ms", "rebuild, ms", Unit::milliseconds},
+                                                      {"composite_ms", "composite, ms", Unit::milliseconds},
+                                                      {"per_frame_medium_evaluations", "evaluations per frame", Unit::count},
+                                                      {"per_frame_fetches", "fetches per frame", Unit::count},
+                                                      {"per_frame_bytes_written", "written per frame, MiB", Unit::bytes},
+                                                      {"rebuild_medium_evaluations", "evaluations of a rebuild", Unit::count},
+                                                      {"rebuild_fetches", "fetches of a rebuild", Unit::count},
+                                                      {"rebuild_bytes_written", "written by a rebuild, MiB", Unit::bytes},
+                                                      {"bytes", "tables, MiB", Unit::bytes}}};
+
+/// `source` is the file's name, for messages. Throws Error(invalid_argument) that names file, field, value and what is allowed:
+/// another version, a member that is missing or of another kind, a number out of range, an id that is doubled or unknown.
+[[nodiscard]] Measurements read_measurements(const nlohmann::json& json, const std::string& source);
+
+}  // namespace aureole::app

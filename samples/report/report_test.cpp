@@ -1,0 +1,246 @@
+#include "report/report.h"
+
+#include "io/test_files.h"
+#include "report/numbers.h"
+#include "report/page.h"
+#include "report/summary.h"
+
+#include <doctest/doctest.h>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+using namespace aureole::app;
+using nlohmann::json;
+
+namespace {
+
+/// Hand-made: three scenes in two classes, four settings.
+json example() { return json::parse(get(AUREOLE_REPORT_EXAMPLE)); }
+
+std::vector<ClassSummary> summaries(const json& measurements) { return summarize(read_measurements(measurements, "m.json")); }
+
+/// What is said about the example after a change.
+std::string after(const std::function<void(json&)>& change) {
+    json measurements = example();
+    change(measurements);
+    return complaint([&] { (void)read_measurements(measurements, "m.json"); });
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+/// The cell of a CSV line in the column of that name; quoted cells hold no comma before it.
+std::string cell(const std::vector<std::string>& lines, std::size_t line, const std::string& column) {
+    const auto split = [](const std::string& text) {
+        std::vector<std::string> cells(1);
+        bool quoted = false;
+        for (const char c : text)
+            if (c == '"')
+                quoted = !quoted;
+            else if (c == ',' && !quoted)
+                cells.emplace_back();
+            else
+                cells.back() += c;
+        return cells;
+    };
+    const std::vector<std::string> names = split(lines[0]), cells = split(lines[line]);
+    REQUIRE(names.size() == cells.size());
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == column) return cells[i];
+    return "no such column";
+}
+
+}  // namespace
+
+TEST_CASE("report: short numbers") {
+    CHECK(short_number(0) == "0");
+    CHECK(short_number(12345) == "12345");
+    CHECK(short_number(123.4) == "123");
+    CHECK(short_number(1.2345) == "1.23");
+    CHECK(short_number(1.5) == "1.5");
+    CHECK(short_number(-0.012345) == "-0.0123");
+    CHECK(short_number(0.000071) == "0.0001");
+    CHECK(short_number(0.00001) == "<0.0001");
+    CHECK(short_number(INFINITY) == "∞");
+    CHECK(in_unit(0.0123, Unit::percent) == "1.23");
+    CHECK(in_unit(3 * 1048576, Unit::bytes) == "3");
+    CHECK(in_unit(999, Unit::count) == "999");
+    CHECK(in_unit(12300, Unit::count) == "12.3 k");
+    CHECK(in_unit(-1.23e9, Unit::count) == "-1.23 G");
+}
+
+TEST_CASE("report: scenes become a class by median of medians and by the worst of the rest") {
+    const std::vector<ClassSummary> classes = summaries(example());
+    REQUIRE(classes.size() == 2);
+    CHECK(classes[0].name == "Earth by day");
+    CHECK(classes[0].scenes == 2);
+    REQUIRE(classes[0].settings.size() == 4);
+    const Summary& of = classes[0].settings[1];  // aureole default: medians 0.002 and 0.004
+    CHECK(of.scenes == 2);
+    CHECK(of.regions.at("all").median == doctest::Approx(0.003));
+    CHECK(of.regions.at("all").p95 == doctest::Approx(0.016));
+    CHECK(of.regions.at("all").max == doctest::Approx(0.04));
+    CHECK(of.regions.at("aureole").p95 == doctest::Approx(0.016));
+    CHECK_FALSE(of.regions.contains("nadir"));   // no directions
+    CHECK_FALSE(of.regions.contains("aerial"));  // not in the file
+    CHECK(of.split.at("model").median == doctest::Approx(0.0024));
+    CHECK(of.split.at("rounding").max == doctest::Approx(0.002));
+    CHECK(of.errors.at("luminance_rmse") == doctest::Approx(0.006));
+    CHECK(of.errors.at("delta_e_p95") == doctest::Approx(0.24));
+    CHECK(of.costs.at("per_frame_ms") == 0.5);
+    CHECK(of.costs.at("rebuild_fetches") == 2700000);
+    CHECK_FALSE(of.costs.contains("composite_ms"));
+    CHECK(classes[1].settings.size() == 3);       // no ozone on Mars
+    CHECK(classes[1].settings[2].costs.empty());  // aureole high: not measured there
+    CHECK(classes[1].settings[0].split.empty());  // hillaire: not measured there
+    CHECK(classes[1].settings[1].costs.at("per_frame_ms") == 1);
+}
+
+TEST_CASE("report: errors by the sun's elevation are of the scenes that have it") {
+    const std::vector<ClassSummary> classes = summaries(example());
+    REQUIRE(classes[0].by_sun.size() == 2);
+    CHECK(classes[0].by_sun.begin()->first == 10);
+    CHECK(classes[0].by_sun.at(10)[1].regions.at("all").median == 0.004);
+    CHECK(classes[0].by_sun.at(60)[1].regions.at("all").median == 0.002);
+}
+
+TEST_CASE("report: a simplification is compared with its baseline in the scenes that both have") {
+    json measurements = example();
+    std::vector<ClassSummary> classes = summaries(measurements);
+    REQUIRE(classes[0].simplifications.size() == 1);
+    CHECK(classes[1].simplifications.empty());
+    const Simplification& both = classes[0].simplifications[0];
+    CHECK(both.scenes == 2);
+    CHECK(*both.added_median == doctest::Approx(0.04 - 0.003));
+    CHECK(*both.added_p95 == doctest::Approx(0.2 - 0.016));
+    CHECK(both.costs.at("per_frame_fetches") == std::pair<double, double>(900000, 700000));
+    // Without the baseline in the scene of 10 degrees, that of 60 is what is left.
+    json& results = measurements["results"];
+    results.erase(std::find_if(results.begin(), results.end(), [](const json& result) {
+        return result["scene"] == "earth/sun10/2m" && result["setting"] == "aureole default";
+    }));
+    classes = summaries(measurements);
+    CHECK(classes[0].simplifications[0].scenes == 1);
+    CHECK(*classes[0].simplifications[0].added_median == doctest::Approx(0.03 - 0.002));
+}
+
+TEST_CASE("report: an infinite error stays one") {
+    json measurements = example();
+    measurements["results"][1]["regions"]["all"]["max"] = nullptr;
+    CHECK(std::isinf(summaries(measurements)[0].settings[1].regions.at("all").max));
+    CHECK(contains(markdown_tables(measurements), "| aureole default | 0.3 | 1.6 | ∞ | 0.6 |"));
+    CHECK(cell(lines_of(csv_lines(measurements)), 2, "all_max") == "inf");
+    // Of three scenes the middle one counts, however bad the last is.
+    measurements["scenes"][2]["class"] = "Earth by day";
+    for (const char* which : {"median", "p95", "max"}) measurements["results"][9]["regions"]["all"][which] = nullptr;
+    REQUIRE(measurements["results"][9]["setting"] == "aureole default");
+    CHECK(summaries(measurements)[0].settings[1].regions.at("all").median == 0.004);
+}
+
+TEST_CASE("report: tables in Markdown") {
+    const std::string tables = markdown_tables(example());
+    CHECK(contains(tables,
+                   "Suite `example`, Aureole 0.1.0. Errors: CPU backend, float, 2 threads. Costs: llvmpipe (Mesa 22.3.6)."));
+    CHECK(contains(tables, "\n## Earth by day\n\n2 scenes.\n"));
+    CHECK(
+        contains(tables, "| aureole default | 0.3 | 1.6 | 4 | 0.6 | 0.24 | 0.28 | 0.04 | 0.2 | 0.5 | 2 | 400 k | 900 k | 1 |"));
+    CHECK(contains(tables, "| aureole high | 0.3 | 1.2 | 3 | 0.45 | 0.18 | 0.21 | 0.03 | 0 | – | – | – | – | – |"));
+    CHECK(contains(tables, "| aureole default | 0.015 | 0.08 | 0.2 | 0.09 | 0.48 | 1.2 | 0.24 | 1.28 | 3.2 |"));
+    CHECK(contains(tables,
+                   "| ozone | aureole default | +3.7 | +18.4 | 0.1 (20 %) | 0.2 (10 %) | 0 (0 %) | 200 k (22 %) | 0 (0 %) |"));
+    CHECK(contains(tables, "What simplifications cost was not measured."));
+    // Every line of a table has as many cells as its heading.
+    std::size_t cells = 0, tables_seen = 0;
+    for (const std::string& line : lines_of(tables)) {
+        const auto bars = static_cast<std::size_t>(std::count(line.begin(), line.end(), '|'));
+        if (bars == 0) cells = 0;
+        if (bars != 0 && cells == 0) cells = bars, ++tables_seen;
+        CHECK(bars == cells);
+    }
+    CHECK(tables_seen == 5);
+}
+
+TEST_CASE("report: parts that were not measured are said to be missing") {
+    json measurements = example();
+    measurements.erase("costs");
+    measurements.erase("pictures");
+    for (json& result : measurements["results"]) result.erase("split");
+    const std::string tables = markdown_tables(measurements);
+    CHECK(contains(tables, "Costs: not measured."));
+    CHECK(contains(tables, "What the errors are made of was not measured."));
+    CHECK(cell(lines_of(csv_lines(measurements)), 1, "per_frame_ms").empty());
+    measurements["results"] = json::array();
+    CHECK(contains(markdown_tables(measurements), "## Mars\n\n1 scene.\n\nNot measured.\n"));
+}
+
+TEST_CASE("report: a line for each result") {
+    const std::vector<std::string> lines = lines_of(csv_lines(example()));
+    REQUIRE(lines.size() == 12);
+    CHECK(cell(lines, 2, "scene") == "earth/sun60/2m");
+    CHECK(cell(lines, 2, "sun_elevation_deg") == "60");
+    CHECK(cell(lines, 4, "setting") == "aureole default, no ozone");
+    CHECK(cell(lines, 4, "without") == "ozone");
+    CHECK(cell(lines, 4, "baseline") == "aureole default");
+    CHECK(cell(lines, 2, "horizon_p95") == "0.012");
+    CHECK(cell(lines, 2, "nadir_rows") == "0");
+    CHECK(cell(lines, 2, "nadir_max").empty());
+    CHECK(cell(lines, 2, "discretisation_max") == "0.006");
+    CHECK(cell(lines, 2, "delta_e_p95") == "0.12");
+    CHECK(cell(lines, 2, "banding_delta_e") == "0.2");
+    CHECK(cell(lines, 2, "rebuild_medium_evaluations") == "1600000");
+    CHECK(cell(lines, 10, "per_frame_ms") == "1");  // on Mars
+}
+
+TEST_CASE("report: faults are named by file and field") {
+    CHECK(after([](json&) {}) == "nothing");
+    CHECK(after([](json& m) { m = json::array(); }) == "m.json: the whole: [] is not allowed; allowed: an object");
+    CHECK(after([](json& m) { m["version"] = 2; }) == "m.json: version: 2 is not allowed; allowed: 1");
+    CHECK(after([](json& m) { m.erase("scenes"); }) == "m.json: scenes: is missing");
+    CHECK(after([](json& m) { m["scenes"][1]["sun_elevation_deg"] = 91; }) ==
+          "m.json: scenes[1].sun_elevation_deg: 91 is not allowed; allowed: -90 to 90 degrees");
+    CHECK(contains(after([](json& m) { m["scenes"][1]["id"] = "mars/sun10/2m"; }), "m.json: scenes[2].id: \"mars/sun10/2m\""));
+    CHECK(contains(after([](json& m) { m["settings"][3]["baseline"] = "x"; }), "m.json: settings[3].baseline: \"x\""));
+    CHECK(contains(after([](json& m) { m["settings"][1]["baseline"] = "aureole default"; }), "m.json: settings[1].baseline:"));
+    CHECK(contains(after([](json& m) { m["settings"][3]["without"] = "ozone"; }), "m.json: settings[3].without"));
+    CHECK(contains(after([](json& m) { m["results"][4]["scene"] = "venus"; }), "m.json: results[4].scene: \"venus\""));
+    CHECK(after([](json& m) { m["results"][4]["regions"].erase("all"); }) == "m.json: results[4].regions.all: is missing");
+    CHECK(contains(after([](json& m) { m["results"][4]["regions"]["zenith"]["p95"] = -1; }),
+                   "m.json: results[4].regions.zenith.p95: -1 is not allowed"));
+    CHECK(contains(after([](json& m) { m["results"][4]["regions"]["zenith"]["median"] = 0.9; }),
+                   "allowed: median <= p95 <= max"));
+    CHECK(contains(after([](json& m) { m["results"][4]["luminance_rmse"] = "small"; }), "m.json: results[4].luminance_rmse"));
+    CHECK(
+        contains(after([](json& m) { m["results"].push_back(m["results"][0]); }), "allowed: each setting once in each scene"));
+    CHECK(contains(after([](json& m) { m["costs"][0]["air"] = "venus"; }), "m.json: costs[0].air: \"venus\""));
+    CHECK(contains(after([](json& m) { m["costs"][0]["bytes"] = nullptr; }), "m.json: costs[0].bytes: null"));
+    CHECK(contains(after([](json& m) { m["costs"].push_back(m["costs"][0]); }), "allowed: each setting once in each air"));
+    CHECK(contains(after([](json& m) { m["pictures"][0]["png"] = "\"onload="; }), "m.json: pictures[0].png"));
+}
+
+TEST_CASE("report: the page holds the data, and nothing in the data can leave its place") {
+    json measurements = example();
+    measurements["suite"] = "</script><script>alert(1)</script>";
+    if (page_before_data.empty()) {
+        CHECK(contains(complaint([&] { write_report(measurements, "none.html"); }), "built without"));
+        CHECK_FALSE(std::filesystem::exists("none.html"));
+        return;
+    }
+    write_report(measurements, "report.html");
+    const std::string page = get("report.html");
+    CHECK(page.starts_with(std::string(page_before_data)));
+    CHECK(page.ends_with(std::string(page_after_data)));
+    const std::string data =
+        page.substr(page_before_data.size(), page.size() - page_before_data.size() - page_after_data.size());
+    CHECK_FALSE(contains(data, "<"));
+    const json read = json::parse(data);
+    CHECK(read["suite"] == measurements["suite"]);
+    CHECK(read["classes"][0]["settings"][1]["regions"]["all"]["median"].get<double>() == doctest::Approx(0.003));
+    measurements["version"] = 2;
+    CHECK(contains(complaint([&] { write_report(measurements, "bad.html", "bad.json"); }), "bad.json: version"));
+    CHECK_FALSE(std::filesystem::exists("bad.html"));
+}

@@ -1,0 +1,119 @@
+#include "report/summary.h"
+
+#include "app/quantile.h"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+namespace aureole::app {
+namespace {
+
+using Results = std::vector<const MeasuredResult*>;
+
+/// From the middle values alone: nothing is added to a last one that may be infinite.
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t n = values.size();
+    return quantile(std::span<const double>(values).subspan((n - 1) / 2, n % 2 == 0 ? 2 : 1), 0.5);
+}
+
+/// By name: median of medians, greatest of the rest.
+std::map<std::string, Spread> over_scenes(const Results& results, std::map<std::string, Spread> MeasuredResult::*member) {
+    std::map<std::string, std::vector<double>> medians;
+    std::map<std::string, Spread> worst;
+    for (const MeasuredResult* result : results)
+        for (const auto& [name, spread] : result->*member) {
+            medians[name].push_back(spread.median);
+            Spread& so_far = worst[name];
+            so_far.p95 = std::max(so_far.p95, spread.p95);
+            so_far.max = std::max(so_far.max, spread.max);
+        }
+    for (auto& [name, spread] : worst) spread.median = median(medians[name]);
+    return worst;
+}
+
+std::map<std::string, double> costs_of(const Measurements& all, std::size_t setting, const Results& results) {
+    std::map<std::string, std::vector<double>> values;
+    for (const MeasuredResult* result : results)
+        for (const MeasuredCost& cost : all.costs)
+            if (cost.setting == setting && cost.air == all.scenes[result->scene].air)
+                for (const auto& [key, value] : cost.figures) values[key].push_back(value);
+    std::map<std::string, double> costs;
+    for (const auto& [key, list] : values) costs[key] = median(list);
+    return costs;
+}
+
+Results only(const Results& results, const Results& scenes_of) {
+    Results common;
+    for (const MeasuredResult* result : results)
+        if (std::any_of(scenes_of.begin(), scenes_of.end(), [&](const auto* other) { return other->scene == result->scene; }))
+            common.push_back(result);
+    return common;
+}
+
+std::optional<double> difference(double value, double from) {
+    if (value > std::numeric_limits<double>::max() || from > std::numeric_limits<double>::max()) return {};
+    return value - from;
+}
+
+Simplification compare(const Measurements& all, std::size_t setting, const Results& with, const Results& whole) {
+    Simplification out{setting, *all.settings[setting].baseline, 0, {}, {}, {}};
+    const Summary less = summarize(all, setting, only(with, whole)), more = summarize(all, out.baseline, only(whole, with));
+    out.scenes = less.scenes;
+    if (less.regions.contains("all") && more.regions.contains("all")) {
+        out.added_median = difference(less.regions.at("all").median, more.regions.at("all").median);
+        out.added_p95 = difference(less.regions.at("all").p95, more.regions.at("all").p95);
+    }
+    for (const auto& [key, cost] : more.costs)
+        if (less.costs.contains(key)) out.costs[key] = {cost, less.costs.at(key)};
+    return out;
+}
+
+ClassSummary summarize_class(const Measurements& all, const std::string& name) {
+    ClassSummary out;
+    out.name = name;
+    const auto in_class = [&](const MeasuredScene& scene) { return scene.scene_class == name; };
+    out.scenes = static_cast<std::size_t>(std::count_if(all.scenes.begin(), all.scenes.end(), in_class));
+    std::vector<Results> of(all.settings.size());
+    for (const MeasuredResult& result : all.results)
+        if (in_class(all.scenes[result.scene])) of[result.setting].push_back(&result);
+    for (std::size_t i = 0; i < of.size(); ++i) {
+        if (of[i].empty()) continue;
+        out.settings.push_back(summarize(all, i, of[i]));
+        std::map<double, Results> by_sun;
+        for (const MeasuredResult* result : of[i]) by_sun[all.scenes[result->scene].sun_elevation_deg].push_back(result);
+        for (const auto& [elevation, results] : by_sun) out.by_sun[elevation].push_back(summarize(all, i, results));
+        const MeasuredSetting& setting = all.settings[i];
+        if (setting.without.empty() || !setting.baseline) continue;
+        const Simplification compared = compare(all, i, of[i], of[*setting.baseline]);
+        if (compared.scenes > 0) out.simplifications.push_back(compared);
+    }
+    return out;
+}
+
+}  // namespace
+
+Summary summarize(const Measurements& all, std::size_t setting, const Results& results) {
+    Summary out{setting, results.size(), {}, {}, {}, {}};
+    out.regions = over_scenes(results, &MeasuredResult::regions);
+    out.split = over_scenes(results, &MeasuredResult::split);
+    for (const MeasuredResult* result : results)
+        for (const auto& [key, error] : result->figures) {
+            double& worst = out.errors[key];
+            worst = std::max(worst, error);
+        }
+    out.costs = costs_of(all, setting, results);
+    return out;
+}
+
+std::vector<ClassSummary> summarize(const Measurements& all) {
+    std::vector<std::string> names;
+    for (const MeasuredScene& scene : all.scenes)
+        if (std::find(names.begin(), names.end(), scene.scene_class) == names.end()) names.push_back(scene.scene_class);
+    std::vector<ClassSummary> classes;
+    for (const std::string& name : names) classes.push_back(summarize_class(all, name));
+    return classes;
+}
+
+}  // namespace aureole::app

@@ -1,0 +1,45 @@
+// Measurements by class of scenes: what tables and charts show.
+#pragma once
+
+#include "report/measurements.h"
+
+namespace aureole::app {
+
+/// How many scenes become one, in words for the reader of a table.
+inline constexpr std::string_view aggregation_note =
+    "Over the scenes of a class: of a median, the median of the scenes' medians; of every other error, the worst scene's. "
+    "Costs are the median over the scenes, each with that of its air.";
+
+/// One setting over scenes: errors as aggregation_note says. What no scene has is missing.
+struct Summary {
+    std::size_t setting = 0;
+    std::size_t scenes = 0;
+    std::map<std::string, Spread> regions, split;
+    std::map<std::string, double> errors;  ///< By keys of scene_figures.
+    std::map<std::string, double> costs;   ///< By keys of cost_figures.
+};
+
+/// What leaving something out costs and saves: a setting minus its baseline, over the scenes of a class that both have.
+struct Simplification {
+    std::size_t setting = 0, baseline = 0, scenes = 0;
+    std::optional<double> added_median, added_p95;  ///< Of region `all`, fractions; negative: the error became smaller.
+    /// What the baseline and the setting cost, by keys of cost_figures: those that both have.
+    std::map<std::string, std::pair<double, double>> costs;
+};
+
+struct ClassSummary {
+    std::string name;
+    std::size_t scenes = 0;
+    std::vector<Summary> settings;                  ///< Those with a result, in the file's order.
+    std::map<double, std::vector<Summary>> by_sun;  ///< The same by elevation of the sun in degrees.
+    std::vector<Simplification> simplifications;
+};
+
+/// In the order in which the scenes name the classes.
+[[nodiscard]] std::vector<ClassSummary> summarize(const Measurements& all);
+
+/// Over these results of one setting.
+[[nodiscard]] Summary summarize(const Measurements& all, std::size_t setting,
+                                const std::vector<const MeasuredResult*>& results);
+
+}  // namespace aureole::app

@@ -211,6 +211,12 @@ std::vector<float> DeviceTextures::read_floats(rhi::Texture texture, std::size_t
     return values;
 }
 
+std::vector<double> DeviceTextures::read_doubles(rhi::Texture texture, std::size_t count, rhi::State state) {
+    if (const cpu::CpuDevice* cpu = backend_.cpu()) return cpu->read_texels_double(texture);
+    const std::vector<float> values = read_floats(texture, count, state);
+    return {values.begin(), values.end()};
+}
+
 std::vector<std::uint8_t> DeviceTextures::read_bytes(rhi::Texture texture, std::size_t count, rhi::State state) {
     std::vector<std::uint8_t> values(count);
     read(texture, std::as_writable_bytes(std::span(values)), state);

@@ -80,6 +80,8 @@ public:
     void upload(rhi::Texture texture, std::span<const std::byte> texels, rhi::State before, rhi::State state);
     /// All texels; the texture is in `state` before and after.
     [[nodiscard]] std::vector<float> read_floats(rhi::Texture texture, std::size_t count, rhi::State state);
+    /// The same, unrounded where the device is in double precision.
+    [[nodiscard]] std::vector<double> read_doubles(rhi::Texture texture, std::size_t count, rhi::State state);
     [[nodiscard]] std::vector<std::uint8_t> read_bytes(rhi::Texture texture, std::size_t count, rhi::State state);
 
 private:

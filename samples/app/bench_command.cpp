@@ -32,7 +32,7 @@ void print_result(const BenchResult& result) {
     const auto line = [](const char* name, const Spread& s) {
         std::printf("  %-20s %10.3f %9.3f .. %8.3f", name, s.median, s.p10, s.p90);
     };
-    for (const BenchPass& pass : result.passes) {
+    for (const PassCost& pass : result.passes) {
         line(pass.name.c_str(), pass.milliseconds);
         std::printf(" %12llu %12llu %12llu\n", static_cast<unsigned long long>(pass.counts.evaluations),
                     static_cast<unsigned long long>(pass.counts.samples + pass.counts.fetches),
@@ -74,7 +74,7 @@ nlohmann::json to_json(const Spread& s) { return {{"median_ms", s.median}, {"p10
 
 nlohmann::json to_json(const BenchResult& result, const BenchResult& unit) {
     nlohmann::json passes = nlohmann::json::array();
-    for (const BenchPass& pass : result.passes) {
+    for (const PassCost& pass : result.passes) {
         nlohmann::json out = to_json(pass.milliseconds);
         out["pass"] = pass.name;
         out["invocations"] = pass.invocations;

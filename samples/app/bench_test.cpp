@@ -32,7 +32,7 @@ TEST_CASE("bench: every pass of every setting is timed and counted") {
         CHECK(result.air_passes == 2);
         REQUIRE(result.passes.size() == result.air_passes + result.view_passes + 2);
         double frame = 0;
-        for (const BenchPass& pass : result.passes) {
+        for (const PassCost& pass : result.passes) {
             CAPTURE(pass.name);
             if (result.label() == "hillaire high" && pass.name == "aerial_perspective") {  // it marches instead
                 CHECK(pass.invocations == 0);
@@ -67,7 +67,7 @@ TEST_CASE("bench: the counts of a pass are its own, however its pipelines are ca
     REQUIRE(results.size() == aureole::model_names().size() + 1);
     for (const BenchResult& result : results) {
         CAPTURE(result.label());
-        for (const BenchPass& pass : result.passes) {
+        for (const PassCost& pass : result.passes) {
             CAPTURE(pass.name);
             CHECK(pass.invocations > 0);
             CHECK(pass.counts.bytes > 0);

@@ -15,30 +15,17 @@ using models::ReferenceSettings;
 
 /// Rows of a block: a round of it takes a second or two, so that it can be interrupted.
 constexpr std::size_t block_rows = 16;
-/// The composite knows this many frames; then comes another seed.
-constexpr std::uint64_t seed_rounds = 1024;
-constexpr int seeds_of_one = 4096;  ///< Seeds that one of ours stands for.
-
 void check(const char* field, double value, double low, double high) {
     if (!(value >= low && value <= high))
         throw Error(ErrorCode::invalid_argument, field, print_number(value),
                     "in [" + print_number(low) + ", " + print_number(high) + "]");
 }
 
-/// Stopping as soon as the error looks small enough would favour directions that are thought quiet by chance: so one looks
-/// rarely, after a quarter more each time.
-bool is_checked(std::uint64_t rounds) {
-    std::uint64_t at = trace_least_rounds;
-    while (at < rounds) at += std::max<std::uint64_t>(at / 4, 1);
-    return at == rounds;
-}
-
 /// The first order needs none.
 std::size_t tally_count(const TraceSettings& settings) { return static_cast<std::size_t>(std::max(settings.orders, 1)); }
 
 Estimated estimate(const TraceState& state, const Tally& tally) {
-    const double n = static_cast<double>(state.rounds) * trace_lanes;
-    return {tally.mean, n > 1 ? glm::sqrt(tally.spread / (n * (n - 1))) : Rgb(0)};
+    return estimate(tally, static_cast<double>(state.rounds) * trace_lanes);
 }
 
 ReferenceSettings up_to_order(int order, int paths, int seed) {
@@ -55,14 +42,7 @@ void TraceSettings::validate() const {
     check("error", error, 1e-6, 1);
     check("max_paths", static_cast<double>(max_paths), trace_least_rounds * trace_round_paths, 1e12);
     check("orders", orders, 0, 64);
-    check("seed", seed, 0, seeds_of_one - 1);
-}
-
-double relative_error(const Estimated& value) {
-    double worst = 0;
-    for (int c = 0; c < 3; ++c)
-        if (value.error[c] > 0) worst = std::max(worst, value.error[c] / std::abs(value.radiance[c]));
-    return worst;
+    check("seed", seed, 0, seeds_of_trace - 1);
 }
 
 /// Everything on the device, for one seed.
@@ -95,7 +75,7 @@ struct Tracer::Eyes {
     }
     /// Makes what this round needs: one of another seed needs other eyes.
     void prepare(std::uint64_t round, const TraceSettings& settings) {
-        const int wanted = settings.seed * seeds_of_one + static_cast<int>(round / seed_rounds % seeds_of_one);
+        const int wanted = nth_seed(settings, round / seed_rounds);
         if (wanted == seed) return;
         by_order.clear();
         by_order.push_back(open(0, trace_batch_paths, wanted));
@@ -151,7 +131,7 @@ void Tracer::find_first_orders(const AtmosphereParameters& parameters) {
 
 bool Tracer::finished(const TraceState& state) const {
     if ((state.rounds + 1) * trace_round_paths > settings_.max_paths) return true;
-    return is_checked(state.rounds) && relative_error(estimate(state, state.tallies[0])) <= settings_.error;
+    return is_checked(state.rounds, trace_least_rounds) && relative_error(estimate(state, state.tallies[0])) <= settings_.error;
 }
 
 bool Tracer::step(const std::function<bool()>& stop) {
@@ -185,10 +165,7 @@ void Tracer::add(std::size_t row, const std::vector<Values>& up_to) {
         for (std::size_t i = 0; i < up_to.size(); ++i) {
             // Paths up to one order are those up to the next but for their last event: what they differ by is that event's.
             const Rgb value = i == 0 ? up_to[0][at] : up_to[i][at] - (i == 1 ? first_[row] : up_to[i - 1][at]);
-            Tally& tally = state.tallies[i];
-            const Rgb apart = value - tally.mean;
-            tally.mean += apart / count;
-            tally.spread += apart * (value - tally.mean);
+            state.tallies[i].add(value, count);
         }
     }
     ++state.rounds;
@@ -199,10 +176,10 @@ double Tracer::share() const {
     for (const TraceState& state : states_) {
         if (state.rounds == 0) continue;
         const double rounds = static_cast<double>(state.rounds);
-        const double most = std::max(rounds, static_cast<double>(settings_.max_paths / trace_round_paths));
-        const double more = relative_error(estimate(state, state.tallies[0])) / settings_.error;
+        const auto most = settings_.max_paths / trace_round_paths;
         done += rounds;
-        expected += finished(state) ? rounds : std::clamp(rounds * more * more, rounds + 1, std::max(most, rounds + 1));
+        expected +=
+            finished(state) ? rounds : expected_rounds(state.rounds, most, estimate(state, state.tallies[0]), settings_.error);
         ++begun;
     }
     return begun > 0 ? done / expected * begun / static_cast<double>(states_.size()) : 0;

@@ -3,6 +3,7 @@
 
 #include "app/backend.h"
 #include "app/probe.h"
+#include "app/tally.h"
 
 #include <aureole/parameters.h>
 
@@ -33,11 +34,6 @@ struct TraceSettings {
     void validate() const;
 };
 
-/// Mean of the batches so far and the sum of their squared distances from it (Welford 1962).
-struct Tally {
-    Rgb mean{0}, spread{0};
-    [[nodiscard]] bool operator==(const Tally&) const = default;
-};
 /// What is known of a direction: all that a later run needs to go on.
 struct TraceState {
     std::uint64_t rounds = 0;
@@ -45,10 +41,6 @@ struct TraceState {
     [[nodiscard]] bool operator==(const TraceState&) const = default;
 };
 
-/// A radiance in 1/sr per unit of solar irradiance, with its standard error.
-struct Estimated {
-    Rgb radiance{0}, error{0};
-};
 struct TraceResult {
     Estimated all;
     Rgb first_air{0}, first_ground{0};  ///< Scattered once by the air; reflected once by the ground: without paths.
@@ -96,8 +88,5 @@ private:
     std::vector<Rgb> first_, first_air_;
     std::unique_ptr<Eyes> eyes_;
 };
-
-/// Largest ratio of standard error to radiance over the channels; 0 where there is no error.
-[[nodiscard]] double relative_error(const Estimated& value);
 
 }  // namespace aureole::app

@@ -45,9 +45,7 @@ void TraceTarget::look(std::span<const ProbeRow> rows, std::span<const std::size
 }
 
 std::vector<double> TraceTarget::read() {
-    if (const cpu::CpuDevice* cpu = backend_.cpu()) return cpu->read_texels_double(targets_.target);
-    const std::vector<float> values = textures_.read_floats(targets_.target, texels_.size(), rhi::State::storage_write);
-    return {values.begin(), values.end()};
+    return textures_.read_doubles(targets_.target, texels_.size(), rhi::State::storage_write);
 }
 
 TraceEye::TraceEye(Backend& backend, const AtmosphereParameters& air, const models::ReferenceSettings& settings,

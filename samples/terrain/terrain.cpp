@@ -1,6 +1,7 @@
 #include "terrain/terrain.h"
 
 #include "terrain/noise.h"
+#include "terrain/pixel_rays.h"
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -18,30 +19,6 @@ namespace {
 double smooth(double low, double high, double x) {
     const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
     return t * t * (3 - 2 * t);
-}
-
-/// Ray through the middle of a pixel, and the view depth of a point at distance 1 along it.
-struct PixelRays {
-    glm::dmat3 to_world;
-    double half_width, half_height;  // of the picture at view depth 1
-    std::uint32_t width, height;
-
-    PixelRays(const Camera& camera, std::uint32_t w, std::uint32_t h)
-        : to_world(glm::transpose(glm::dmat3(camera.view))),
-          half_width(1 / camera.projection[0][0]),
-          half_height(1 / camera.projection[1][1]),
-          width(w),
-          height(h) {}
-
-    [[nodiscard]] glm::dvec3 in_view(std::uint32_t x, std::uint32_t y) const {
-        return glm::normalize(
-            glm::dvec3((2 * (x + 0.5) / width - 1) * half_width, (1 - 2 * (y + 0.5) / height) * half_height, -1));
-    }
-};
-
-/// What a projection matrix writes into the depth buffer for a view depth.
-double depth_value(const glm::dmat4& projection, double view_depth) {
-    return (-projection[2][2] * view_depth + projection[3][2]) / (-projection[2][3] * view_depth + projection[3][3]);
 }
 
 /// Height of the roughness that the grid, which knows nothing below its spacing, leaves out: for the light alone, in [0, 1],

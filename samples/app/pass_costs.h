@@ -1,0 +1,66 @@
+// What each pass of models in airs costs: time on a device, and work as the CPU backend counts it, all measured in turn.
+#pragma once
+
+#include "app/backend.h"
+
+#include <aureole/atmosphere.h>
+
+#include <aureole/rhi/shader.h>
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace aureole::app {
+
+/// A model in an air.
+struct CostSubject {
+    std::string label;  ///< For messages.
+    AtmosphereParameters air;
+    ModelPtr model;
+};
+
+struct PassCostOptions {
+    std::uint32_t width = 1280, height = 720;  ///< Of the composite.
+    std::uint32_t frames = 20;                 ///< Measured rounds.
+    std::uint32_t warm_up = 2;                 ///< Rounds before them that are thrown away.
+    bool raster = false;
+    bool linear = false;     ///< Composite into half floats, without exposure, tone map, sRGB curve and dither.
+    bool geometry = true;    ///< Also a composite with a host's colour and depth.
+    bool counts = true;      ///< Also count the passes' work, with a run on the CPU backend.
+    bool composites = true;  ///< Count composites too.
+};
+
+/// Milliseconds: the middle and what 80 % of the samples lie between.
+struct Spread {
+    double median = 0, p10 = 0, p90 = 0;
+};
+[[nodiscard]] Spread spread_of(std::vector<double> samples);
+
+struct PassCost {
+    std::string name;  ///< As in PassReport; "composite" without and "composite_geometry" with a host's colour and depth.
+    Spread milliseconds;
+    std::uint64_t invocations = 0;
+    rhi::CpuCounts counts;  ///< Of the same pass on the CPU backend, counted as it runs.
+};
+
+struct PassCosts {
+    std::vector<PassCost> passes;                 ///< Of the air, of the view, "composite", "composite_geometry".
+    std::size_t air_passes = 0, view_passes = 0;  ///< How many of each, the view's without composites.
+    Spread per_frame;                             ///< All passes of the view together.
+    Spread rebuild;                               ///< All passes of the air and per_frame.
+    std::uint64_t table_bytes = 0;                ///< Device memory of all tables of one planet and one view.
+
+    [[nodiscard]] const PassCost& pass(std::string_view name) const;
+};
+
+/// For each of the subjects. Rounds go through all of them in turn, so that what else the machine does hits all alike. In every
+/// round sun and ground albedo have moved, so that every pass runs. Throws Error(unsupported) if the device has no clock; an
+/// error in one of the subjects names its label.
+[[nodiscard]] std::vector<PassCosts> pass_costs(Backend& backend, std::span<const CostSubject> subjects,
+                                                const PassCostOptions& options, const std::function<void()>& after_round);
+
+}  // namespace aureole::app

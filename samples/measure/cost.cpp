@@ -1,0 +1,33 @@
+#include "measure/cost.h"
+
+namespace aureole::app {
+namespace {
+
+Cost cost_of(const PassCosts& passes) {
+    Cost cost{passes.per_frame, passes.rebuild, passes.pass("composite").milliseconds, {}, {}, passes.table_bytes};
+    for (std::size_t i = 0; i < passes.air_passes + passes.view_passes; ++i) {
+        cost.rebuild += passes.passes[i].counts;
+        if (i >= passes.air_passes) cost.per_frame += passes.passes[i].counts;
+    }
+    return cost;
+}
+
+}  // namespace
+
+std::vector<Cost> costs(Backend& backend, std::span<const CostSubject> subjects, const CostOptions& options,
+                        const std::function<void()>& after_round) {
+    if (options.rounds == 0) throw Error(ErrorCode::invalid_argument, "rounds", "0", "at least 1");
+    PassCostOptions measured;
+    measured.width = options.width;
+    measured.height = options.height;
+    measured.frames = options.rounds;
+    measured.warm_up = options.warm_up;
+    measured.geometry = measured.composites = false;
+    std::vector<Cost> found;
+    for (const PassCosts& passes : pass_costs(
+             backend, subjects, measured, after_round ? after_round : [] {}))
+        found.push_back(cost_of(passes));
+    return found;
+}
+
+}  // namespace aureole::app

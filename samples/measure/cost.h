@@ -1,0 +1,34 @@
+// What a model costs in an air: milliseconds on a device, and counts that are the same on all.
+#pragma once
+
+#include "app/pass_costs.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace aureole::app {
+
+struct CostOptions {
+    std::uint32_t width = 1280, height = 720;  ///< Of the composite, pixels.
+    std::uint32_t rounds = 20;                 ///< Measured, at least 1.
+    std::uint32_t warm_up = 2;                 ///< Rounds before them that are thrown away.
+};
+
+struct Cost {
+    Spread per_frame_ms;            ///< Tables of the camera: what each frame needs that moves camera or sun.
+    Spread rebuild_ms;              ///< Tables of the air, and per_frame_ms.
+    Spread composite_ms;            ///< Sky alone, without geometry.
+    rhi::CpuCounts per_frame;       ///< Work of those passes; `bytes` is what they write.
+    rhi::CpuCounts rebuild;         ///< Likewise.
+    std::uint64_t table_bytes = 0;  ///< Device memory of the tables of the air and of one view.
+};
+
+/// Of each subject, measured in turn (pass_costs); counted on the CPU backend. `after_round` is called after each round.
+/// Throws Error(invalid_argument) for rounds of 0, (unsupported) if the device has no clock; an error of a subject names its
+/// label.
+[[nodiscard]] std::vector<Cost> costs(Backend& backend, std::span<const CostSubject> subjects, const CostOptions& options,
+                                      const std::function<void()>& after_round = {});
+
+}  // namespace aureole::app

@@ -1,0 +1,95 @@
+#include "measure/cost.h"
+
+#include "app/bench.h"
+#include "io/test_files.h"
+
+#include <aureole/models/aureole.h>
+#include <aureole/models/hillaire.h>
+#include <aureole/presets.h>
+
+#include <doctest/doctest.h>
+
+using namespace aureole;
+using namespace aureole::app;
+
+namespace {
+
+CostOptions quick() {
+    CostOptions options;
+    options.width = 16;
+    options.height = 8;
+    options.rounds = 1;
+    options.warm_up = 0;
+    return options;
+}
+
+}  // namespace
+
+TEST_CASE("costs: what bench says of the same model in the same air, added up") {
+    const auto backend = open_backend({.name = "cpu"});
+    BenchOptions options;
+    options.width = 16;
+    options.height = 8;
+    options.frames = 1;
+    options.warm_up = 0;
+    options.models = {{"hillaire", "default"}, {"aureole", "low"}};
+    std::vector<CostSubject> subjects;
+    for (const SceneModel& model : options.models) subjects.push_back({model.name, presets::earth(), model.make()});
+    const std::vector<BenchResult> benched = bench(*backend, options, [] {});
+    int rounds = 0;
+    const std::vector<Cost> found = costs(*backend, subjects, quick(), [&] { ++rounds; });
+    CHECK(rounds == 1);
+    REQUIRE(found.size() == 2);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const BenchResult& bench = benched[i];
+        CAPTURE(bench.label());
+        rhi::CpuCounts air, view;
+        for (std::size_t pass = 0; pass < bench.air_passes + bench.view_passes; ++pass)
+            (pass < bench.air_passes ? air : view) += bench.passes[pass].counts;
+        const Cost& cost = found[i];
+        CHECK(cost.per_frame.evaluations == view.evaluations);
+        CHECK(cost.per_frame.samples == view.samples);
+        CHECK(cost.per_frame.bytes == view.bytes);
+        CHECK(cost.rebuild.evaluations == view.evaluations + air.evaluations);
+        CHECK(cost.rebuild.fetches == view.fetches + air.fetches);
+        CHECK(cost.rebuild.bytes > cost.per_frame.bytes);
+        CHECK(cost.table_bytes == bench.table_bytes);
+        CHECK(cost.per_frame_ms.median > 0);
+        CHECK(cost.rebuild_ms.median > cost.per_frame_ms.median);
+        CHECK(cost.composite_ms.median > 0);
+    }
+    // As published: 256 x 64 texels with 40 evaluations each.
+    CHECK(found[0].rebuild.evaluations - found[0].per_frame.evaluations > 256 * 64 * 40);
+}
+
+TEST_CASE("costs: every air has its own, over black ground too") {
+    const auto backend = open_backend({.name = "cpu"});
+    AtmosphereParameters two = presets::earth(), black = presets::earth();
+    two.terms.resize(1);
+    black.planet.ground_albedo = Rgb(0);
+    const ModelPtr model = models::aureole(QualitySettings::low());
+    const std::vector<CostSubject> subjects{
+        {"earth", presets::earth(), model}, {"molecules", two, model}, {"black", black, model}};
+    CostOptions options = quick();
+    options.rounds = 2;
+    const std::vector<Cost> found = costs(*backend, subjects, options);
+    REQUIRE(found.size() == 3);
+    CHECK(found[1].per_frame.bytes < found[0].per_frame.bytes);  // no layers for a sharp phase function
+    CHECK(found[2].rebuild.bytes == found[0].rebuild.bytes);
+    for (const Cost& cost : found) CHECK(cost.rebuild_ms.p10 > cost.per_frame_ms.p10);
+    CHECK(found[2].rebuild_ms.median > 1.2 * found[2].per_frame_ms.median);  // rebuilt in the second round as well
+}
+
+TEST_CASE("costs: errors name the subject") {
+    const auto backend = open_backend({.name = "cpu"});
+    AtmosphereParameters wrong = presets::earth();
+    wrong.planet.top_radius_m = 1;
+    const ModelPtr model = models::aureole(QualitySettings::low());
+    const std::vector<CostSubject> subjects{{"earth", presets::earth(), model}, {"aureole low in flat air", wrong, model}};
+    CHECK(
+        contains(complaint([&] { (void)costs(*backend, subjects, quick()); }), "aureole low in flat air: planet.top_radius_m"));
+    CostOptions none = quick();
+    none.rounds = 0;
+    CHECK(contains(complaint([&] { (void)costs(*backend, subjects, none); }), "rounds: 0"));
+    CHECK(costs(*backend, {}, quick()).empty());
+}

@@ -1,34 +1,48 @@
 #include "app/commands.h"
+#include "app/progress.h"
 #include "app/suites.h"
 #include "app/trace_run.h"
+#include "measure/light.h"
 #include "measure/truth.h"
 
+#include <unistd.h>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
 namespace aureole::app {
 namespace {
 
+constexpr std::size_t progress_steps = 1000;
+
 struct TruthOptions {
     std::string suite = "small";
     BackendOptions backend{.name = "cpu-double"};
 };
 
-/// What is missing of one air's table; a checkpoint beside the table keeps what an interrupted run has done.
-void complete(const Suite& suite, std::size_t index, Backend& backend) {
-    const SuiteAir& air = suite.airs[index];
-    const std::filesystem::path file = truth_file(suite, air), checkpoint = file.string() + ".checkpoint";
-    const TraceParameters parameters = truth_parameters(air);
-    TruthTable table = TruthTable::read(file, parameters);
-    const std::vector<ProbeRow> rows = table.missing(truth_rows(suite, index));
-    if (rows.empty()) {
-        std::printf("%s  complete: %zu directions\n", file.c_str(), table.size());
-        return;
-    }
-    std::printf("%s  %zu directions of %zu are missing\n", file.c_str(), rows.size(), table.size() + rows.size());
-    std::fflush(stdout);
-    const TraceSettings settings{
+TraceSettings settings_of(const Suite& suite, const SuiteAir& air) {
+    return {
         .error = suite.truth_error, .max_paths = static_cast<std::uint64_t>(suite.truth_max_paths), .spectral = air.spectral};
+}
+
+void print_state(const std::filesystem::path& file, std::size_t missing, std::size_t known, const char* what) {
+    if (missing == 0)
+        std::printf("%s  complete: %zu %s\n", file.c_str(), known, what);
+    else
+        std::printf("%s  %zu %s are missing\n", file.c_str(), missing, what);
+    std::fflush(stdout);
+}
+
+/// What is missing of one air's radiances; a checkpoint beside the table keeps what an interrupted run has done.
+void complete_sky(const Suite& suite, std::size_t index, Backend& backend) {
+    const SuiteAir& air = suite.airs[index];
+    const std::filesystem::path file = truth_file(suite, air, TruthKind::sky), checkpoint = file.string() + ".checkpoint";
+    const TraceParameters parameters = truth_parameters(air);
+    TruthTable table = TruthTable::read(file, parameters, TruthKind::sky);
+    const std::vector<ProbeRow> rows = table.missing(truth_rows(suite, index));
+    print_state(file, rows.size(), table.size(), "directions");
+    if (rows.empty()) return;
+    const TraceSettings settings = settings_of(suite, air);
     Tracer tracer(backend, air.parameters, rows, settings);
     const TraceParameters traced = parameters_of(air.parameters, settings, backend);
     if (std::filesystem::exists(checkpoint)) read_checkpoint(checkpoint, traced, tracer);
@@ -45,11 +59,87 @@ void complete(const Suite& suite, std::size_t index, Backend& backend) {
                 100 * worst);
 }
 
+/// Scenes of an air that a table lacks, each traced and kept in turn.
+class SceneByScene {
+public:
+    SceneByScene(const Suite& suite, std::size_t air, TruthKind kind)
+        : suite_(suite),
+          air_(suite.airs[air]),
+          kind_(kind),
+          file_(truth_file(suite, air_, kind)),
+          parameters_(truth_parameters(air_)),
+          table_(TruthTable::read(file_, parameters_, kind)) {}
+
+    /// `key`: where a scene's last value stands; `trace` puts all of a scene's into the table.
+    template <class Key, class Trace>
+    void complete(const std::vector<const SuiteScene*>& scenes, const Key& key, const Trace& trace) {
+        std::vector<const SuiteScene*> missing;
+        for (const SuiteScene* scene : scenes)
+            if (!table_.find(key(*scene))) missing.push_back(scene);
+        print_state(file_, missing.size(), scenes.size(), "scenes");
+        if (missing.empty()) return;
+        Progress progress(missing.size() * progress_steps, stderr, isatty(STDERR_FILENO) == 1);
+        for (std::size_t i = 0; i < missing.size(); ++i) {
+            trace(*missing[i], [&](double share) {
+                progress.reach(i * progress_steps + static_cast<std::size_t>(share * (progress_steps - 1)));
+            });
+            table_.write(file_, parameters_);
+            progress.reach((i + 1) * progress_steps);
+        }
+    }
+    [[nodiscard]] TruthTable& table() { return table_; }
+
+private:
+    const Suite& suite_;
+    const SuiteAir& air_;
+    TruthKind kind_;
+    std::filesystem::path file_;
+    TraceParameters parameters_;
+    TruthTable table_;
+};
+
+void complete_aerial(const Suite& suite, std::size_t index, Backend& backend) {
+    const SuiteAir& air = suite.airs[index];
+    std::vector<const SuiteScene*> scenes;
+    for (const std::size_t i : suite.scenes_of(index))
+        if (suite.scenes[i].aerial) scenes.push_back(&suite.scenes[i]);
+    if (scenes.empty()) return;
+    SceneByScene work(suite, index, TruthKind::aerial);
+    work.complete(
+        scenes, [](const SuiteScene& scene) { return aerial_row(aerial_view(scene), aerial_pixels - 1); },
+        [&](const SuiteScene& scene, const std::function<void(double)>& progress) {
+            const AerialView view = aerial_view(scene);
+            const AerialTruth truth = trace_aerial(backend, air.parameters, view, settings_of(suite, air), progress).value();
+            for (std::size_t i = 0; i < aerial_pixels; ++i)
+                work.table().set(aerial_row(view, i), {{truth.pixels[i].radiance, truth.pixels[i].error}, truth.paths[i]});
+        });
+}
+
+void complete_light(const Suite& suite, std::size_t index, Backend& backend) {
+    const SuiteAir& air = suite.airs[index];
+    std::vector<const SuiteScene*> scenes;
+    for (const std::size_t i : suite.scenes_of(index)) scenes.push_back(&suite.scenes[i]);
+    SceneByScene work(suite, index, TruthKind::light);
+    work.complete(
+        scenes, [](const SuiteScene& scene) { return light_row(scene, LightPart::sun); },
+        [&](const SuiteScene& scene, const std::function<void(double)>& progress) {
+            const LightPlace place{scene.sun_zenith_deg(), scene.altitude_km()};
+            const LightTruth truth = trace_light(backend, air.parameters, place, settings_of(suite, air), progress).value();
+            const Estimated& sky = truth.sky_irradiance_up;
+            work.table().set(light_row(scene, LightPart::sky), {{sky.radiance, sky.error}, truth.paths});
+            work.table().set(light_row(scene, LightPart::sun), {{truth.sun_irradiance, Rgb(0)}, 0});
+        });
+}
+
 void run_truth(const TruthOptions& options) {
     const Suite suite = read_suite(find_suite(options.suite));
     std::filesystem::create_directories(suite.truth_folder);
     const std::unique_ptr<Backend> backend = open_backend(options.backend);
-    for (std::size_t i = 0; i < suite.airs.size(); ++i) complete(suite, i, *backend);
+    for (std::size_t i = 0; i < suite.airs.size(); ++i) {
+        complete_sky(suite, i, *backend);
+        complete_aerial(suite, i, *backend);
+        complete_light(suite, i, *backend);
+    }
     backend->close();
 }
 
@@ -59,9 +149,9 @@ void add_truth_command(CLI::App& program) {
     auto options = std::make_shared<TruthOptions>();
     CLI::App* command = program.add_subcommand(
         "truth",
-        "True radiances of a suite's scenes, for `aureole measure`: traces what is missing in the tables of the folder truth "
-        "beside the suite, one for each air, until the suite's truth_error is reached. May be interrupted (Ctrl-C) and run "
-        "again: it goes on from a checkpoint that is written every half minute");
+        "The truth of a suite's scenes, for `aureole measure`: traces what is missing in the tables of the folder truth beside "
+        "the suite (radiance of the sky, of geometry through the air, light), until the suite's truth_error is reached. May be "
+        "interrupted (Ctrl-C) and run again: it goes on from what is kept every half minute, or after each scene");
     command
         ->add_option("SUITE", options->suite,
                      "One of the program's own suites by its name, or a file (TOML); tables are written to the folder truth "

@@ -19,9 +19,27 @@ private:
     std::vector<double> errors_;
 };
 
+/// Looks values up in a table, and says what to do where there is none.
+class Finder {
+public:
+    Finder(const Suite& suite, std::size_t air, TruthKind kind, const TruthTable& table)
+        : suite_(suite), air_(suite.airs[air]), kind_(kind), table_(table) {}
+    [[nodiscard]] TrueValue find(const ProbeRow& row) const {
+        if (const TruthTable::Entry* entry = table_.find(row)) return entry->value;
+        throw Error(ErrorCode::invalid_argument,
+                    truth_file(suite_, air_, kind_).string() + " lacks scenes of the suite; `aureole truth` adds them");
+    }
+
+private:
+    const Suite& suite_;
+    const SuiteAir& air_;
+    TruthKind kind_;
+    const TruthTable& table_;
+};
+
 ErrorParts parts_of(const Place& place, const Looks& looks) {
     Errors rounding, discretisation, model;
-    for (std::size_t i = 0; i < place.points.size(); ++i) {
+    for (std::size_t i = 0; i < place.truth.size(); ++i) {
         const TrueValue& truth = place.truth[i];
         const Rgb &run = looks.run->points[i], &exact = looks.exact->points[i], &fine = looks.converged->points[i];
         rounding.add(part_of_error(run, exact, truth));
@@ -33,9 +51,10 @@ ErrorParts parts_of(const Place& place, const Looks& looks) {
 
 }  // namespace
 
-std::vector<Place> places_of(const Suite& suite, std::size_t air, const TruthTable& truth) {
+std::vector<Place> places_of(const Suite& suite, std::size_t air, const AirTruth& truth) {
+    const Finder sky(suite, air, TruthKind::sky, truth.sky), aerial(suite, air, TruthKind::aerial, truth.aerial),
+        light(suite, air, TruthKind::light, truth.light);
     std::vector<Place> places;
-    std::size_t missing = 0;
     for (const std::size_t index : suite.scenes_of(air)) {
         const SuiteScene& scene = suite.scenes[index];
         const Planet& planet = suite.airs[air].parameters.planet;
@@ -43,37 +62,49 @@ std::vector<Place> places_of(const Suite& suite, std::size_t air, const TruthTab
         place.scene = index;
         place.points = points_of(planet, scene.sun_zenith_deg(), scene.altitude_km());
         place.scan = scan_of(planet, scene.sun_zenith_deg(), scene.altitude_km());
-        for (const Point& point : place.points) {
-            const TruthTable::Entry* entry = truth.find(point.row);
-            place.truth.push_back(entry ? entry->radiance : TrueValue{});
-            if (!entry) ++missing;
-        }
+        for (const Point& point : place.points) place.truth.push_back(sky.find(point.row));
         place.exposure = fixed_exposure(place.truth);
+        if (scene.aerial) {
+            place.aerial = aerial_view(scene);
+            for (std::size_t i = 0; i < aerial_pixels; ++i) place.truth.push_back(aerial.find(aerial_row(*place.aerial, i)));
+        }
+        place.sky = light.find(light_row(scene, LightPart::sky));
+        place.sun = light.find(light_row(scene, LightPart::sun));
     }
-    if (missing > 0)
-        throw Error(ErrorCode::invalid_argument, truth_file(suite, suite.airs[air]).string() + " lacks " +
-                                                     std::to_string(missing) +
-                                                     " directions of the suite; `aureole truth` adds them");
     return places;
 }
 
-std::vector<Seen> look(Backend& backend, const Prepared& prepared, std::span<const Place> places) {
+std::vector<Seen> look(Backend& backend, const Prepared& prepared, const Suite& suite, std::span<const Place> places) {
     std::vector<ProbeRow> rows;
+    std::vector<AerialView> views;
+    std::vector<LightPlace> lights;
     for (const Place& place : places) {
         for (const Point& point : place.points) rows.push_back(point.row);
         rows.insert(rows.end(), place.scan.begin(), place.scan.end());
+        if (place.aerial) views.push_back(*place.aerial);
+        const SuiteScene& scene = suite.scenes[place.scene];
+        lights.push_back({scene.sun_zenith_deg(), scene.altitude_km()});
     }
     const std::vector<Rgb> radiance = probe(backend, prepared.air, prepared.model, rows);
+    const std::vector<std::vector<Rgb>> pictures = aerial(backend, prepared.air, prepared.model, views);
+    const std::vector<MeasuredLight> light = app::light(backend, prepared.air, prepared.model, lights);
     std::vector<Seen> result;
     auto next = radiance.begin();
+    auto picture = pictures.begin();
     const auto take = [&](std::size_t count) {
         std::vector<Rgb> taken(next, next + static_cast<std::ptrdiff_t>(count));
         next += static_cast<std::ptrdiff_t>(count);
         return taken;
     };
     for (const Place& place : places) {
-        std::vector<Rgb> points = take(place.points.size());
-        result.push_back({std::move(points), take(place.scan.size())});
+        Seen& seen = result.emplace_back();
+        seen.points = take(place.points.size());
+        seen.scan = take(place.scan.size());
+        seen.light = light[result.size() - 1];
+        if (place.aerial) {
+            seen.points.insert(seen.points.end(), picture->begin(), picture->end());
+            ++picture;
+        }
     }
     return result;
 }
@@ -83,16 +114,19 @@ SceneResult compare(const Place& place, const Looks& looks) {
     result.scene = place.scene;
     Errors all, colours;
     std::array<Errors, region_names.size()> regions;
-    for (std::size_t i = 0; i < place.points.size(); ++i) {
+    for (std::size_t i = 0; i < place.truth.size(); ++i) {
         const std::optional<double> error = relative_error(looks.run->points[i], place.truth[i]);
+        const Region region = i < place.points.size() ? place.points[i].region : Region::aerial;
         all.add(error);
-        regions[static_cast<std::size_t>(place.points[i].region)].add(error);
+        regions[static_cast<std::size_t>(region)].add(error);
         if (error) colours.add(shown_difference(looks.run->points[i], place.truth[i].value, place.exposure));
     }
     result.all = all.summary();
     std::ranges::transform(regions, result.regions.begin(), &Errors::summary);
     result.luminance_rmse = luminance_rmse(looks.run->points, place.truth);
     result.delta_e = colours.summary();
+    result.sky_illuminance = luminance_error(looks.run->light.sky_irradiance_up, place.sky);
+    result.sun_colour = relative_error(looks.run->light.sun_irradiance, place.sun);
     if (!looks.exact || !looks.converged) return result;
     result.parts = parts_of(place, looks);
     if (!place.scan.empty()) result.banding = banding(looks.run->scan, looks.converged->scan, place.exposure);

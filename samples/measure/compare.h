@@ -1,6 +1,7 @@
 // The scenes of one air under a model: what it shows of them, and how far that is from the truth, in parts.
 #pragma once
 
+#include "measure/light.h"
 #include "measure/points.h"
 #include "measure/setting.h"
 #include "measure/truth.h"
@@ -15,20 +16,24 @@ namespace aureole::app {
 struct Place {
     std::size_t scene = 0;  ///< Index of Suite::scenes.
     std::vector<Point> points;
-    std::vector<TrueValue> truth;  ///< Of the points.
+    std::optional<AerialView> aerial;  ///< Its pixels follow the points.
+    std::vector<TrueValue> truth;      ///< Of the points, and of the pixels.
     std::vector<ProbeRow> scan;
+    TrueValue sun, sky;   ///< Irradiance: of the sun, of the sky on a horizontal surface.
     double exposure = 1;  ///< For colours as shown.
 };
-/// Those of one air, in the order of the suite. Throws Error(invalid_argument) if the table lacks directions, saying how it is
+/// Those of one air, in the order of the suite. Throws Error(invalid_argument) if a table lacks some, saying how it is
 /// completed.
-[[nodiscard]] std::vector<Place> places_of(const Suite& suite, std::size_t air, const TruthTable& truth);
+[[nodiscard]] std::vector<Place> places_of(const Suite& suite, std::size_t air, const AirTruth& truth);
 
-/// Radiances of a place, as a model shows them.
+/// A place, as a model shows it.
 struct Seen {
-    std::vector<Rgb> points, scan;
+    std::vector<Rgb> points, scan;  ///< As in Place: pixels of geometry follow the points.
+    MeasuredLight light;
 };
 /// One for each place.
-[[nodiscard]] std::vector<Seen> look(Backend& backend, const Prepared& prepared, std::span<const Place> places);
+[[nodiscard]] std::vector<Seen> look(Backend& backend, const Prepared& prepared, const Suite& suite,
+                                     std::span<const Place> places);
 
 /// Parts of an error: none is greater than their sum.
 struct ErrorParts {
@@ -42,8 +47,10 @@ struct SceneResult {
     std::array<ErrorSummary, region_names.size()> regions;
     std::optional<ErrorParts> parts;
     double luminance_rmse = 0;
-    ErrorSummary delta_e;           ///< CIEDE2000 of the points as shown.
-    std::optional<double> banding;  ///< CIEDE2000; with parts, from within the air.
+    std::optional<double> sky_illuminance;  ///< Error of luminance; none where the truth is unknown.
+    std::optional<double> sun_colour;       ///< Error as of a radiance; none for a sun that has set.
+    ErrorSummary delta_e;                   ///< CIEDE2000 of the points as shown.
+    std::optional<double> banding;          ///< CIEDE2000; with parts, from within the air.
 };
 
 /// The same place seen thrice: as it runs; in double; in double, as fine as the model gets. The latter two, or none.

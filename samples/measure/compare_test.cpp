@@ -18,11 +18,14 @@ Place white_place() {
     place.truth.assign(place.points.size(), {Rgb(1), Rgb(0)});
     place.scan = scan_of(presets::earth().planet, 30, 0.002);
     place.exposure = 0.5;
+    place.aerial = AerialView{30, 0.002, 60};
+    place.truth.insert(place.truth.end(), aerial_pixels, {Rgb(1), Rgb(0)});
+    place.sky = {Rgb(1), Rgb(0)};
     return place;
 }
 
 Seen all(const Place& place, double value) {
-    return {std::vector(place.points.size(), Rgb(value)), std::vector(place.scan.size(), Rgb(value))};
+    return {std::vector(place.truth.size(), Rgb(value)), std::vector(place.scan.size(), Rgb(value)), {Rgb(value), Rgb(value)}};
 }
 
 }  // namespace
@@ -32,7 +35,7 @@ TEST_CASE("compare: each part is the distance to the next look") {
     const Seen run = all(place, 1.07), exact = all(place, 1.06), fine = all(place, 1.02);
     const SceneResult result = compare(place, {&run, &exact, &fine});
     CHECK(result.all.median == near(0.07));
-    CHECK(result.all.rows == place.points.size());
+    CHECK(result.all.rows == place.points.size() + aerial_pixels);
     REQUIRE(result.parts.has_value());
     CHECK(result.parts->rounding.worst == near(0.01));
     CHECK(result.parts->discretisation.median == near(0.04));
@@ -40,6 +43,8 @@ TEST_CASE("compare: each part is the distance to the next look") {
     CHECK(result.luminance_rmse == near(0.07));
     CHECK(result.delta_e.median == near(shown_difference(Rgb(1.07), Rgb(1), 0.5)));
     CHECK(result.banding == 0.0);
+    CHECK(result.sky_illuminance.value() == near(0.07));
+    CHECK_FALSE(result.sun_colour.has_value());  // it has set
     const SceneResult total = compare(place, {&run});
     CHECK_FALSE(total.parts.has_value());
     CHECK_FALSE(total.banding.has_value());
@@ -59,8 +64,8 @@ TEST_CASE("compare: an error is counted in its region, and where the truth is un
     CHECK(region(Region::nadir).median == near(0.5));
     CHECK(region(Region::zenith).rows == 7);
     CHECK(region(Region::zenith).worst == 0);
-    CHECK(region(Region::aerial).rows == 0);
-    CHECK(result.all.rows == place.points.size() - 1);
+    CHECK(region(Region::aerial).rows == aerial_pixels);
+    CHECK(result.all.rows == place.truth.size() - 1);
     CHECK(result.all.worst == near(0.5));
     CHECK(result.all.median == 0);
 }

@@ -28,6 +28,8 @@ json to_json(const Suite& suite, const SuiteSetting& setting, const SceneResult&
         out["split"] = {{"rounding", to_json(result.parts->rounding)},
                         {"discretisation", to_json(result.parts->discretisation)},
                         {"model", to_json(result.parts->model)}};
+    if (result.sky_illuminance) out["sky_illuminance"] = *result.sky_illuminance;
+    if (result.sun_colour) out["sun_colour"] = *result.sun_colour;
     if (result.banding) out["banding_delta_e"] = *result.banding;
     return out;
 }
@@ -43,7 +45,7 @@ class AirMeasurement {
 public:
     AirMeasurement(const Suite& suite, std::size_t air, const MeasureOptions& options, Backend& run, Backend& exact)
         : suite_(suite), air_(suite.airs[air]), options_(options), run_(run), exact_(exact) {
-        places_ = places_of(suite, air, TruthTable::read(truth_file(suite, air_), truth_parameters(air_)));
+        places_ = places_of(suite, air, read_truth(suite, air));
         for (const Place& place : places_) scenes_ += suite.id(suite.scenes[place.scene]) + " ";
     }
 
@@ -75,9 +77,9 @@ private:
     }
 
     json measured(const SuiteSetting& setting, const Prepared& prepared) {
-        const std::vector<Seen> run = look(run_, prepared, places_);
+        const std::vector<Seen> run = look(run_, prepared, suite_, places_);
         const bool parts = options_.parts && setting.model.name != "reference";  // its error is noise
-        const std::vector<Seen> exact = parts ? look(exact_, prepared, places_) : std::vector<Seen>();
+        const std::vector<Seen> exact = parts ? look(exact_, prepared, suite_, places_) : std::vector<Seen>();
         const std::vector<Seen>* fine = parts ? &converged_look(setting) : nullptr;
         json results = json::array();
         for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -91,7 +93,7 @@ private:
     const std::vector<Seen>& converged_look(const SuiteSetting& setting) {
         const SuiteSetting fine = converged(setting);
         const auto [at, is_new] = converged_.try_emplace(fine.id());
-        if (is_new) at->second = look(exact_, prepare(fine, air_.parameters).value(), places_);
+        if (is_new) at->second = look(exact_, prepare(fine, air_.parameters).value(), suite_, places_);
         return at->second;
     }
 

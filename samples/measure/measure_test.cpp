@@ -17,6 +17,7 @@ name = "earth"
 [[scenes]]
 class = "Day"
 air = "earth"
+aerial = true
 sun_elevation_deg = [60, 3]
 altitude_m = [2]
 [[setting]]
@@ -39,8 +40,26 @@ Suite with_own_truth(Backend& exact) {
     const Prepared fine = prepare(converged(suite.settings[0]), suite.airs[0].parameters).value();
     const std::vector<Rgb> radiance = probe(exact, fine.air, fine.model, rows);
     TruthTable table;
+    const TraceParameters parameters = truth_parameters(suite.airs[0]);
     for (std::size_t i = 0; i < rows.size(); ++i) table.set(rows[i], {{radiance[i], Rgb(0)}, 1});
-    table.write(truth_file(suite, suite.airs[0]), truth_parameters(suite.airs[0]));
+    table.write(truth_file(suite, suite.airs[0], TruthKind::sky), parameters);
+
+    TruthTable pixels(TruthKind::aerial), lights(TruthKind::light);
+    std::vector<AerialView> views;
+    std::vector<LightPlace> light_places;
+    for (const SuiteScene& scene : suite.scenes) {
+        views.push_back(aerial_view(scene));
+        light_places.push_back({scene.sun_zenith_deg(), scene.altitude_km()});
+    }
+    const auto pictures = aerial(exact, fine.air, fine.model, views);
+    const std::vector<MeasuredLight> light = app::light(exact, fine.air, fine.model, light_places);
+    for (std::size_t i = 0; i < suite.scenes.size(); ++i) {
+        for (std::size_t j = 0; j < aerial_pixels; ++j) pixels.set(aerial_row(views[i], j), {{pictures[i][j], Rgb(0)}, 1});
+        lights.set(light_row(suite.scenes[i], LightPart::sky), {{light[i].sky_irradiance_up, Rgb(0)}, 1});
+        lights.set(light_row(suite.scenes[i], LightPart::sun), {{light[i].sun_irradiance, Rgb(0)}, 1});
+    }
+    pixels.write(truth_file(suite, suite.airs[0], TruthKind::aerial), parameters);
+    lights.write(truth_file(suite, suite.airs[0], TruthKind::light), parameters);
     return suite;
 }
 
@@ -83,6 +102,10 @@ TEST_CASE("measure: errors and their parts, where they are known otherwise") {
         CHECK(low.at("delta_e").at("p95") > 0);
         CHECK(low.at("luminance_rmse") > standard.at("luminance_rmse"));
         CHECK(standard.at("banding_delta_e") < 1);
+        CHECK(low.at("regions").at("aerial").at("rows") == aerial_pixels);
+        CHECK(standard.at("sky_illuminance") < 0.01);
+        CHECK(dry.at("sky_illuminance") > standard.at("sky_illuminance"));
+        CHECK(dry.at("sun_colour") > 10 * standard.at("sun_colour").get<double>());
         std::size_t rows = 0;
         for (const auto& [name, region] : low.at("regions").items())
             if (name != "all") rows += region.at("rows").get<std::size_t>();

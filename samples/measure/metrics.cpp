@@ -40,6 +40,11 @@ std::optional<double> part_of_error(const Rgb& a, const Rgb& b, const TrueValue&
     return (apart.r + apart.g + apart.b) / (light.r + light.g + light.b);
 }
 
+std::optional<double> luminance_error(const Rgb& seen, const TrueValue& truth) {
+    if (!is_known(truth)) return {};
+    return std::abs(luminance(seen) / luminance(truth.value) - 1);
+}
+
 double luminance_rmse(std::span<const Rgb> seen, std::span<const TrueValue> truth) {
     double squares = 0, light = 0, rows = 0;
     for (std::size_t i = 0; i < truth.size(); ++i) {

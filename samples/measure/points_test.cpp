@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <glm/geometric.hpp>
 #include <set>
 
 using namespace aureole;

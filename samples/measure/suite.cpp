@@ -49,9 +49,10 @@ void read_scenes(Section section, Suite& suite) {
     if (airs.empty()) section.reject("air", "nothing", "the name of an [[air]] above, or an array of names");
     const std::vector<double> elevations = required_numbers(section, "sun_elevation_deg", {-90, 90});
     const std::vector<double> altitudes = required_numbers(section, "altitude_m", {0, 1e12});
+    const bool aerial = section.boolean("aerial").value_or(false);
     for (const std::size_t air : airs)
         for (const double elevation : elevations)
-            for (const double altitude : altitudes) suite.scenes.push_back({scene_class, air, elevation, altitude});
+            for (const double altitude : altitudes) suite.scenes.push_back({scene_class, air, elevation, altitude, aerial});
     section.finish();
 }
 
@@ -123,7 +124,9 @@ std::string SuiteSetting::id() const {
 std::string SuiteSetting::baseline() const { return without.empty() ? "" : SuiteSetting{model, {}}.id(); }
 
 std::string Suite::id(const SuiteScene& scene) const {
-    return airs[scene.air].name + "/sun" + print_number(scene.sun_elevation_deg) + "/" + print_number(scene.altitude_m) + "m";
+    const std::string altitude =
+        scene.altitude_m < 1000 ? print_number(scene.altitude_m) + "m" : print_number(scene.altitude_km()) + "km";
+    return airs[scene.air].name + "/sun" + print_number(scene.sun_elevation_deg) + "/" + altitude;
 }
 
 std::vector<std::size_t> Suite::scenes_of(std::size_t air) const {

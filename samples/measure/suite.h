@@ -26,6 +26,7 @@ struct SuiteScene {
     std::size_t air = 0;      ///< Index of Suite::airs.
     double sun_elevation_deg = 0;
     double altitude_m = 0;
+    bool aerial = false;  ///< Also geometry, through the air.
 
     [[nodiscard]] double sun_zenith_deg() const { return 90 - sun_elevation_deg; }
     [[nodiscard]] double altitude_km() const { return altitude_m / 1000; }

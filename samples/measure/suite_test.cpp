@@ -70,7 +70,7 @@ TEST_CASE("suite: scenes are every combination, settings every model and quality
     CHECK(suite.airs[1].parameters.planet.ground_albedo == Rgb(0.5));
     REQUIRE(suite.scenes.size() == 9);
     CHECK(suite.id(suite.scenes[0]) == "earth/sun60/2m");
-    CHECK(suite.id(suite.scenes[7]) == "dry-mars/sun-4.5/400000m");
+    CHECK(suite.id(suite.scenes[7]) == "dry-mars/sun-4.5/400km");
     CHECK(suite.scenes[8].scene_class == "Night");
     CHECK(suite.scenes[8].sun_zenith_deg() == 110);
     CHECK(suite.scenes[7].altitude_km() == 400);

@@ -12,17 +12,35 @@
 namespace aureole::app {
 namespace {
 
-constexpr std::array<std::string_view, 11> columns{
-    "sun_zenith_deg", "altitude_km",     "view_zenith_deg", "azimuth_deg",     "L_r_per_sr", "L_g_per_sr",
-    "L_b_per_sr",     "stderr_r_per_sr", "stderr_g_per_sr", "stderr_b_per_sr", "paths"};
-constexpr std::string_view title = "truth by path tracing, 1/sr per unit of solar irradiance, the sun's disk excluded: ";
+struct Kind {
+    std::string_view suffix, title;
+    std::array<std::string_view, 11> columns;
+};
+constexpr std::array<Kind, 3> kinds{
+    Kind{".csv",
+         "truth by path tracing, 1/sr per unit of solar irradiance, the sun's disk excluded: ",
+         {"sun_zenith_deg", "altitude_km", "view_zenith_deg", "azimuth_deg", "L_r_per_sr", "L_g_per_sr", "L_b_per_sr",
+          "stderr_r_per_sr", "stderr_g_per_sr", "stderr_b_per_sr", "paths"}},
+    Kind{"_aerial.csv",
+         "truth by path tracing of pixels that show geometry through the air, 1/sr per unit of solar irradiance: ",
+         {"sun_zenith_deg", "altitude_km", "pixel", "azimuth_deg", "L_r_per_sr", "L_g_per_sr", "L_b_per_sr", "stderr_r_per_sr",
+          "stderr_g_per_sr", "stderr_b_per_sr", "paths"}},
+    Kind{"_light.csv",
+         "truth by path tracing, irradiance per unit of the sun's, part 0 of the sky on a horizontal surface, 1 of the sun: ",
+         {"sun_zenith_deg", "altitude_km", "part", "azimuth_deg", "E_r", "E_g", "E_b", "stderr_r", "stderr_g", "stderr_b",
+          "paths"}}};
+const Kind& of(TruthKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
+
+constexpr double aerial_azimuth_deg = 60;
 constexpr int value_digits = 7, error_digits = 3;
 
 std::array<double, 4> place_of(const ProbeRow& row) {
     return {row.sun_zenith_deg, row.altitude_km, row.view_zenith_deg, row.azimuth_deg};
 }
 
-std::string comment(const TraceParameters& parameters) { return std::string(title) + print_parameters(parameters); }
+std::string comment(TruthKind kind, const TraceParameters& parameters) {
+    return std::string(of(kind).title) + print_parameters(parameters);
+}
 
 /// Says which of the names and values is another one.
 void compare(const std::filesystem::path& path, const std::string& there, const std::string& here) {
@@ -39,11 +57,11 @@ void compare(const std::filesystem::path& path, const std::string& there, const 
 
 }  // namespace
 
-TruthTable TruthTable::read(const std::filesystem::path& path, const TraceParameters& parameters) {
-    TruthTable result;
+TruthTable TruthTable::read(const std::filesystem::path& path, const TraceParameters& parameters, TruthKind kind) {
+    TruthTable result(kind);
     if (!std::filesystem::exists(path)) return result;
-    const CsvTable table = read_csv(path, columns);
-    compare(path, table.comments.empty() ? "" : table.comments.front(), comment(parameters));
+    const CsvTable table = read_csv(path, of(kind).columns);
+    compare(path, table.comments.empty() ? "" : table.comments.front(), comment(kind, parameters));
     for (std::size_t i = 0; i < table.rows(); ++i) {
         const auto at = [&](std::size_t column) { return table.columns[column][i]; };
         result.entries_[{at(0), at(1), at(2), at(3)}] = {{{at(4), at(5), at(6)}, {at(7), at(8), at(9)}},
@@ -53,12 +71,12 @@ TruthTable TruthTable::read(const std::filesystem::path& path, const TraceParame
 }
 
 void TruthTable::write(const std::filesystem::path& path, const TraceParameters& parameters) const {
-    std::string text = "# " + comment(parameters) + "\n";
-    for (const std::string_view column : columns) text.append(column).append(column == columns.back() ? "\n" : ",");
+    std::string text = "# " + comment(kind_, parameters) + "\n";
+    for (const std::string_view column : of(kind_).columns) text.append(column).append(column == "paths" ? "\n" : ",");
     for (const auto& [place, entry] : entries_) {
         for (const double value : place) text.append(print_number(value)).append(",");
-        for (int c = 0; c < 3; ++c) text.append(print_number(entry.radiance.value[c], value_digits)).append(",");
-        for (int c = 0; c < 3; ++c) text.append(print_number(entry.radiance.error[c], error_digits)).append(",");
+        for (int c = 0; c < 3; ++c) text.append(print_number(entry.value.value[c], value_digits)).append(",");
+        for (int c = 0; c < 3; ++c) text.append(print_number(entry.value.error[c], error_digits)).append(",");
         text.append(std::to_string(entry.paths)).append("\n");
     }
     write_text(path, text);
@@ -78,7 +96,17 @@ std::vector<ProbeRow> TruthTable::missing(std::span<const ProbeRow> rows) const 
     return result;
 }
 
-std::filesystem::path truth_file(const Suite& suite, const SuiteAir& air) { return suite.truth_folder / (air.name + ".csv"); }
+AirTruth read_truth(const Suite& suite, std::size_t air) {
+    const TraceParameters parameters = truth_parameters(suite.airs[air]);
+    const auto table = [&](TruthKind kind) {
+        return TruthTable::read(truth_file(suite, suite.airs[air], kind), parameters, kind);
+    };
+    return {table(TruthKind::sky), table(TruthKind::aerial), table(TruthKind::light)};
+}
+
+std::filesystem::path truth_file(const Suite& suite, const SuiteAir& air, TruthKind kind) {
+    return suite.truth_folder / (air.name + std::string(of(kind).suffix));
+}
 
 TraceParameters truth_parameters(const SuiteAir& air) {
     TraceParameters parameters = describe(air.parameters);
@@ -99,6 +127,14 @@ std::vector<ProbeRow> truth_rows(const Suite& suite, std::size_t air) {
     const auto repeated = std::ranges::unique(rows, same);
     rows.erase(repeated.begin(), repeated.end());
     return rows;
+}
+
+AerialView aerial_view(const SuiteScene& scene) { return {scene.sun_zenith_deg(), scene.altitude_km(), aerial_azimuth_deg}; }
+ProbeRow aerial_row(const AerialView& view, std::size_t pixel) {
+    return {view.sun_zenith_deg, view.altitude_km, static_cast<double>(pixel), view.azimuth_deg};
+}
+ProbeRow light_row(const SuiteScene& scene, LightPart part) {
+    return {scene.sun_zenith_deg(), scene.altitude_km(), static_cast<double>(part), 0};
 }
 
 }  // namespace aureole::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/trace_checkpoint.h"
+#include "measure/aerial.h"
 #include "measure/metrics.h"
 #include "measure/suite.h"
 
@@ -12,17 +13,27 @@
 
 namespace aureole::app {
 
-/// True radiances of one air.
+/// What a table holds, all per unit of solar irradiance (of a white sun in wavelengths), and what stands in the third of the
+/// four columns that say of where.
+enum class TruthKind : std::uint8_t {
+    sky,     ///< Radiance of directions, 1/sr, without the sun's disk; view_zenith_deg.
+    aerial,  ///< Radiance of the pixels of an AerialView (aerial.h), 1/sr; pixel.
+    light,   ///< Irradiance; part: 0 that of the sky on a horizontal surface, 1 that of the sun on one that faces it.
+};
+
+/// What is known of one air.
 class TruthTable {
 public:
     struct Entry {
-        TrueValue radiance;  ///< 1/sr per unit of solar irradiance (of a white sun in wavelengths), without the sun's disk.
+        TrueValue value;
         std::uint64_t paths = 0;
     };
+    explicit TruthTable(TruthKind kind = TruthKind::sky) : kind_(kind) {}
 
     /// The file, if there is one; else nothing is known yet. Throws Error: io; invalid_argument for a table of other
     /// parameters, naming the first that differs, and as read_csv does.
-    [[nodiscard]] static TruthTable read(const std::filesystem::path& path, const TraceParameters& parameters);
+    [[nodiscard]] static TruthTable read(const std::filesystem::path& path, const TraceParameters& parameters,
+                                         TruthKind kind = TruthKind::sky);
     /// Replaces the file.
     void write(const std::filesystem::path& path, const TraceParameters& parameters) const;
 
@@ -33,14 +44,28 @@ public:
 
 private:
     using Place = std::array<double, 4>;
+    TruthKind kind_;
     std::map<Place, Entry> entries_;
 };
 
-/// "truth/earth.csv", beside the suite.
-[[nodiscard]] std::filesystem::path truth_file(const Suite& suite, const SuiteAir& air);
-/// What an air's table depends on.
+/// All that is known of an air's scenes.
+struct AirTruth {
+    TruthTable sky{TruthKind::sky}, aerial{TruthKind::aerial}, light{TruthKind::light};
+};
+[[nodiscard]] AirTruth read_truth(const Suite& suite, std::size_t air);
+
+/// "truth/earth.csv", "truth/earth_aerial.csv", "truth/earth_light.csv" beside the suite.
+[[nodiscard]] std::filesystem::path truth_file(const Suite& suite, const SuiteAir& air, TruthKind kind);
+/// What an air's tables depend on.
 [[nodiscard]] TraceParameters truth_parameters(const SuiteAir& air);
 /// Every direction of this air's scenes (points.h), each once.
 [[nodiscard]] std::vector<ProbeRow> truth_rows(const Suite& suite, std::size_t air);
+
+/// The picture of a scene with geometry, and where its pixels stand in the table.
+[[nodiscard]] AerialView aerial_view(const SuiteScene& scene);
+[[nodiscard]] ProbeRow aerial_row(const AerialView& view, std::size_t pixel);
+/// Where a scene's light stands in the table.
+enum class LightPart : std::uint8_t { sky, sun };
+[[nodiscard]] ProbeRow light_row(const SuiteScene& scene, LightPart part);
 
 }  // namespace aureole::app

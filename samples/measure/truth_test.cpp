@@ -42,20 +42,26 @@ TEST_CASE("truth: a table reads back as it was written, and knows what it lacks"
     const TruthTable again = TruthTable::read("truth_of_earth.csv", parameters);
     CHECK(again.size() == rows.size() - 1);
     REQUIRE(again.find(rows[3]) != nullptr);
-    CHECK(again.find(rows[3])->radiance.value.g == doctest::Approx(2.0 / 3).epsilon(1e-6).scale(1e-300));
-    CHECK(again.find(rows[3])->radiance.error.r == doctest::Approx(1e-3 / 3).epsilon(1e-2).scale(1e-300));
+    CHECK(again.find(rows[3])->value.value.g == doctest::Approx(2.0 / 3).epsilon(1e-6).scale(1e-300));
+    CHECK(again.find(rows[3])->value.error.r == doctest::Approx(1e-3 / 3).epsilon(1e-2).scale(1e-300));
     CHECK(again.find(rows[3])->paths == 4096);
     const std::vector<ProbeRow> missing = again.missing(rows);
     REQUIRE(missing.size() == 1);
     CHECK(missing[0].view_zenith_deg == rows[0].view_zenith_deg);
-    CHECK(contains(complaint([&] { (void)places_of(suite, 0, again); }),
-                   "lacks 1 directions of the suite; `aureole truth` adds"));
+    AirTruth truth{again, TruthTable(TruthKind::aerial), TruthTable(TruthKind::light)};
+    CHECK(
+        contains(complaint([&] { (void)places_of(suite, 0, truth); }), "earth.csv lacks scenes of the suite; `aureole truth`"));
 
     table.set(rows[0], entry(1));
-    const std::vector<Place> places = places_of(suite, 0, table);
+    truth.sky = table;
+    CHECK(contains(complaint([&] { (void)places_of(suite, 0, truth); }), "earth_light.csv lacks"));
+    for (const SuiteScene& scene : suite.scenes)
+        for (const LightPart part : {LightPart::sky, LightPart::sun}) truth.light.set(light_row(scene, part), entry(0.5));
+    const std::vector<Place> places = places_of(suite, 0, truth);
     REQUIRE(places.size() == 2);
+    CHECK(places[0].sky.value.r == 0.5);
     CHECK(places[1].points.size() == places[1].truth.size());
-    CHECK(places[1].truth[5].value == table.find(places[1].points[5].row)->radiance.value);
+    CHECK(places[1].truth[5].value == table.find(places[1].points[5].row)->value.value);
 }
 
 TEST_CASE("truth: a table of other air is refused by what differs") {

@@ -25,8 +25,8 @@ struct Without {
     QualitySettings quality = QualitySettings::standard();
 };
 
-Without without_term(const char* name, const char* term) {
-    Without result{name};
+Without without_term(const char* term) {
+    Without result{term};
     std::erase_if(result.air.terms, [&](const DensityTerm& t) { return t.name == term; });
     return result;
 }
@@ -42,8 +42,8 @@ std::vector<Without> rows() {
             with("multi_scatter_orders=0", [](QualitySettings& q) { q.multi_scatter_orders = 0; }),
             with("ground_light=false", [](QualitySettings& q) { q.ground_light = false; }),
             with("angular_order=0", [](QualitySettings& q) { q.angular_order = 0; }),
-            without_term("theozone", "ozone"),
-            without_term("themie", "mie")};
+            without_term("ozone"),
+            without_term("mie")};
 }
 
 /// By table: evaluations of the medium and look-ups; and what all tables take.

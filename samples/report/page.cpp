@@ -11,6 +11,7 @@
 namespace aureole::app {
 namespace {
 
+using namespace report;
 using nlohmann::json;
 
 json to_json(const Spread& spread) { return {{"median", spread.median}, {"p95", spread.p95}, {"max", spread.max}}; }

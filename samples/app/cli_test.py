@@ -316,7 +316,8 @@ def check_help():
         out = works(*command, '--help')
         expect(len(out.splitlines()) > 3, f'help of {command}')
     fails('ubcommand', )
-    fails('COMMAND: "frobnicate" is not allowed; allowed: render, probe, score, trace, bench, report, devices', '--verbose', 'frobnicate')
+    fails('COMMAND: "frobnicate" is not allowed; allowed: render, probe, score, trace, truth, measure, '
+          'bench, report, devices', '--verbose', 'frobnicate')
     version = works('--version')
     expect(version.startswith('aureole ') and version.split()[1][0].isdigit(), f'version: {version}')
 

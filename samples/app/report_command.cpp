@@ -43,11 +43,9 @@ void run_report(const ReportCommand& command) {
     const std::string tables = markdown_tables(measurements, source);
     if (!command.folder.empty()) {
         const std::string lines = csv_lines(measurements, source);
+        const std::string page = command.no_html ? std::string() : html_page(measurements, source);
         make_folder(command.folder);
-        if (!command.no_html) {
-            write_report(measurements, command.folder / "report.html", source);
-            std::printf("%s\n", (command.folder / "report.html").string().c_str());
-        }
+        if (!command.no_html) write(command.folder / "report.html", page);
         write(command.folder / "results.csv", lines);
         write(command.folder / "tables.md", tables);
     }

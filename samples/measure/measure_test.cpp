@@ -2,6 +2,7 @@
 
 #include "io/file.h"
 #include "io/test_files.h"
+#include "report/report.h"
 
 #include <doctest/doctest.h>
 
@@ -83,7 +84,8 @@ TEST_CASE("measure: errors and their parts, where they are known otherwise") {
     CHECK(all.at("suite") == "s");
     CHECK(all.at("scenes").size() == 2);
     CHECK(all.at("settings").size() == 4);
-    CHECK(all.at("results").size() == 6);  // there is no dust to be left out
+    CHECK(all.at("results").size() == 6);                                       // there is no dust to be left out
+    CHECK(contains(markdown_tables(all), "| ozone | single-lut default | +"));  // the report reads what is written
     for (const char* scene : {"earth/sun60/2m", "earth/sun3/2m"}) {
         CAPTURE(scene);
         const json& low = result(all, scene, "single-lut low");

@@ -33,6 +33,7 @@ window.addEventListener('load', async () => {
             points: marks(chart, 'symbol'), lines: marks(chart, 'line'), bars: marks(chart, 'rect'),
             text: chart.querySelector('.missing, .failure')?.textContent ?? '',
             titles: [...chart.querySelectorAll('g.role-axis-title text')].map((text) => text.textContent)}])),
+        lists: [...section.querySelectorAll('.panel li')].map((item) => item.textContent),
         tables: [...section.querySelectorAll('tbody')].map((body) => body.rows.length),
         cells: [...section.querySelectorAll('td')].map((cell) => cell.textContent),
         images: [...section.querySelectorAll('img')].filter((image) => image.complete && image.naturalWidth > 0).length});
@@ -188,6 +189,9 @@ def check_rest(found):
     expect(found['pictures']['images'] == 3, 'pictures are not shown')
     expect(all(text in found['hover'] for text in ('hillaire default', 'per frame', '1.5 ms', '12 %', '3 M', 'not measured')),
            f'what hovering shows: {found["hover"]}')
+    front = ['aureole default, no ozone (0.4 ms, 20 %)', 'aureole default (0.5 ms, 1.6 %)', 'aureole high (1.2 ms, 0.8 %)',
+             'aureole default (1 ms, 2.4 %)']
+    expect(found['fronts']['lists'] == front, f'on the front: {found["fronts"]["lists"]}')
     titles = found['fronts']['charts']['fronts: Mars']['titles']
     expect(titles == ['per frame, ms', '95th percentile of the error (all), %'], f'titles of axes: {titles}')
 

@@ -7,6 +7,7 @@
 namespace aureole::app {
 namespace {
 
+using namespace report;
 /// A text as a cell, in quotes where it must be.
 std::string in_cell(const std::string& text) {
     if (text.find_first_of(",\"\r\n#") == std::string::npos) return text;

@@ -9,6 +9,7 @@
 namespace aureole::app {
 namespace {
 
+using namespace report;
 /// Of cost_figures, those that the tables have room for.
 constexpr std::array<std::string_view, 5> costs_shown{"per_frame_ms", "rebuild_ms", "per_frame_medium_evaluations",
                                                       "per_frame_fetches", "bytes"};
@@ -117,7 +118,8 @@ std::string simplifications_table(const Measurements& all, const ClassSummary& o
 
 std::string markdown_tables(const nlohmann::json& measurements, const std::string& source) {
     const Measurements all = read_measurements(measurements, source);
-    std::string out = "Suite `" + all.suite + "`, Aureole " + all.library + ". Errors: " + all.device +
+    std::string out = "Suite `" + all.suite + "`" + (all.library.empty() ? "" : ", Aureole " + all.library) +
+                      ". Errors: " + all.device +
                       ". Costs: " + (all.costs.empty() || all.cost_device.empty() ? "not measured" : all.cost_device) + ".\n" +
                       std::string(aggregation_note) + " " + std::string(not_measured) + ": not measured.\n";
     for (const ClassSummary& of : summarize(all)) {

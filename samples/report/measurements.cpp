@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-namespace aureole::app {
+namespace aureole::app::report {
 namespace {
 
 using nlohmann::json;
@@ -89,6 +89,11 @@ std::size_t find(const Field& field, const Places& known, const std::string& wha
     return found->second;
 }
 
+/// Errors over no directions are none: such a scene has nothing to compare there.
+bool is_empty(const Field& field) {
+    return field.has("rows") && field.at("rows").number(0, 1e9, "a number of directions") == 0;
+}
+
 Spread read_spread(const Field& field) {
     const Spread spread{field.at("median").error(), field.at("p95").error(), field.at("max").error()};
     if (spread.median > spread.p95 || spread.p95 > spread.max) field.reject("median <= p95 <= max");
@@ -117,7 +122,9 @@ std::vector<MeasuredSetting> read_settings(const Field& root, Places& known) {
     // A baseline may come after what is compared with it.
     for (std::size_t i = 0; i < fields.size(); ++i) {
         if (!fields[i].has("baseline") || fields[i].at("baseline").text().empty()) continue;
-        settings[i].baseline = find(fields[i].at("baseline"), known, "setting, or empty");
+        const auto found = known.find(fields[i].at("baseline").text());
+        if (found == known.end()) continue;
+        settings[i].baseline = found->second;
         if (*settings[i].baseline == i) fields[i].at("baseline").reject("the id of another setting, or empty");
     }
     return settings;
@@ -131,17 +138,15 @@ MeasuredResult read_result(const Field& field, const Places& scenes, const Place
     (void)regions.at("all");
     for (const std::string_view view : region_names) {
         const std::string name(view);
-        if (!regions.has(name)) continue;
-        const auto rows = static_cast<std::size_t>(regions.at(name).at("rows").number(0, 1e9, "a number of directions"));
-        if (rows == 0) continue;  // none of the scene's directions look there
+        if (!regions.has(name) || is_empty(regions.at(name))) continue;
         result.regions[name] = read_spread(regions.at(name));
-        result.rows[name] = rows;
+        result.rows[name] = static_cast<std::size_t>(regions.at(name).at("rows").number(0, 1e9, "a number of directions"));
     }
     if (field.has("split"))
         for (const std::string_view part : part_names)
-            if (const std::string name(part); field.at("split").has(name))
+            if (const std::string name(part); field.at("split").has(name) && !is_empty(field.at("split").at(name)))
                 result.split[name] = read_spread(field.at("split").at(name));
-    if (field.has("delta_e")) {
+    if (field.has("delta_e") && !is_empty(field.at("delta_e"))) {
         result.delta_e = read_spread(field.at("delta_e"));
         result.figures["delta_e_p95"] = result.delta_e->p95;
     }
@@ -188,7 +193,7 @@ Measurements read_measurements(const json& document, const std::string& source) 
     if (root.at("version").number(0, 1e9, "1") != 1) root.at("version").reject("1");
     Measurements all;
     all.suite = root.at("suite").text();
-    all.library = root.at("library").text();
+    if (root.has("library")) all.library = root.at("library").text();
     all.device = root.at("device").text();
     if (root.has("cost_device")) all.cost_device = root.at("cost_device").text();
     Places scenes, settings;
@@ -213,4 +218,4 @@ Measurements read_measurements(const json& document, const std::string& source) 
     return all;
 }
 
-}  // namespace aureole::app
+}  // namespace aureole::app::report

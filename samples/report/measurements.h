@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace aureole::app {
+namespace aureole::app::report {
 
 /// Where in a scene, in the order of tables: `all` is every direction.
 inline constexpr std::array<std::string_view, 7> region_names{"all",       "zenith", "horizon", "aureole",
@@ -31,7 +31,7 @@ struct MeasuredScene {
 struct MeasuredSetting {
     std::string id, model, quality, spectral;
     std::vector<std::string> without;     ///< What was left out; empty: nothing.
-    std::optional<std::size_t> baseline;  ///< The setting that leaves nothing out; none: not to be compared.
+    std::optional<std::size_t> baseline;  ///< The setting that leaves nothing out; none: not measured.
 };
 
 /// One setting in one scene. Figures that were not measured are missing.
@@ -98,4 +98,4 @@ inline constexpr std::array<Figure, 10> cost_figures{{{"per_frame_ms", "per fram
 /// another version, a member that is missing or of another kind, a number out of range, an id that is doubled or unknown.
 [[nodiscard]] Measurements read_measurements(const nlohmann::json& json, const std::string& source);
 
-}  // namespace aureole::app
+}  // namespace aureole::app::report

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace aureole::app {
+namespace aureole::app::report {
 namespace {
 
 constexpr int most_decimals = 4;
@@ -50,4 +50,4 @@ std::string in_unit(const std::map<std::string, double>& figures, const Figure& 
     return found == figures.end() ? std::string(not_measured) : in_unit(found->second, figure.unit);
 }
 
-}  // namespace aureole::app
+}  // namespace aureole::app::report

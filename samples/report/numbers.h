@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace aureole::app {
+namespace aureole::app::report {
 
 inline constexpr std::string_view not_measured = "–";
 
@@ -16,4 +16,4 @@ inline constexpr std::string_view not_measured = "–";
 /// `not_measured` for none.
 [[nodiscard]] std::string in_unit(const std::map<std::string, double>& figures, const Figure& figure);
 
-}  // namespace aureole::app
+}  // namespace aureole::app::report

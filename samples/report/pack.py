@@ -80,10 +80,10 @@ def main():
     folder, output = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     halves = page(folder, pathlib.Path(sys.argv[3])) if len(sys.argv) > 3 else ['', '']
     names = ('page_before_data', 'page_after_data')
-    lines = ['// Made by pack.py.', '#include "report/page.h"', '', 'namespace aureole::app {', '']
+    lines = ['// Made by pack.py.', '#include "report/page.h"', '', 'namespace aureole::app::report {', '']
     for name, half in zip(names, halves):
         lines += [f'const std::string_view {name}(', literal(half) + f',\n    {len(half.encode("utf-8"))});', '']
-    output.write_text('\n'.join(lines + ['}  // namespace aureole::app', '']), encoding='utf-8')
+    output.write_text('\n'.join(lines + ['}  // namespace aureole::app::report', '']), encoding='utf-8')
 
 
 if __name__ == '__main__':

@@ -11,6 +11,7 @@
 namespace aureole::app {
 namespace {
 
+using namespace report;
 using nlohmann::json;
 
 json to_json(const Spread& spread) { return {{"median", spread.median}, {"p95", spread.p95}, {"max", spread.max}}; }
@@ -123,7 +124,7 @@ std::string inside_script(const json& data) {
 
 }  // namespace
 
-void write_report(const json& measurements, const std::filesystem::path& html, const std::string& source) {
+std::string html_page(const json& measurements, const std::string& source) {
     const Measurements all = read_measurements(measurements, source);
     if (page_before_data.empty())
         throw Error(ErrorCode::unsupported,
@@ -131,7 +132,11 @@ void write_report(const json& measurements, const std::filesystem::path& html, c
     std::string page(page_before_data);
     page += inside_script(page_data(all));
     page += page_after_data;
-    write_text(html, page);
+    return page;
+}
+
+void write_report(const json& measurements, const std::filesystem::path& html, const std::string& source) {
+    write_text(html, html_page(measurements, source));
 }
 
 }  // namespace aureole::app

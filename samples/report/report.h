@@ -9,8 +9,10 @@
 
 namespace aureole::app {
 
-/// One HTML file that holds everything it shows: it opens from a disk, without a network. Throws Error(unsupported) if this
-/// program was built without the page (no npm), Error(io) if the file cannot be written.
+/// One page of HTML that holds everything it shows: it opens from a disk, without a network. Throws Error(unsupported) if this
+/// program was built without the page (no npm).
+[[nodiscard]] std::string html_page(const nlohmann::json& measurements, const std::string& source = "measurements");
+/// Writes it. Throws Error(io) if the file cannot be written.
 void write_report(const nlohmann::json& measurements, const std::filesystem::path& html,
                   const std::string& source = "measurements");
 

@@ -11,6 +11,7 @@
 #include <sstream>
 
 using namespace aureole::app;
+using namespace aureole::app::report;
 using nlohmann::json;
 
 namespace {
@@ -174,6 +175,13 @@ TEST_CASE("report: parts that were not measured are said to be missing") {
     CHECK(contains(tables, "Costs: not measured."));
     CHECK(contains(tables, "What the errors are made of was not measured."));
     CHECK(cell(lines_of(csv_lines(measurements)), 1, "per_frame_ms").empty());
+    for (json& result : measurements["results"]) result["delta_e"] = json{{"rows", 0}};
+    measurements["settings"][3]["baseline"] = "aureole high, of which nothing is known";
+    measurements.erase("library");
+    const std::string less = markdown_tables(measurements);
+    CHECK(contains(less, "Suite `example`. Errors"));
+    CHECK(contains(less, "| aureole default | 0.3 | 1.6 | 4 | 0.6 | – | 0.28 |"));
+    CHECK_FALSE(contains(less, "simplification costs and saves"));
     measurements["results"] = json::array();
     CHECK(contains(markdown_tables(measurements), "## Mars\n\n1 scene.\n\nNot measured.\n"));
 }
@@ -204,7 +212,7 @@ TEST_CASE("report: faults are named by file and field") {
     CHECK(after([](json& m) { m["scenes"][1]["sun_elevation_deg"] = 91; }) ==
           "m.json: scenes[1].sun_elevation_deg: 91 is not allowed; allowed: -90 to 90 degrees");
     CHECK(contains(after([](json& m) { m["scenes"][1]["id"] = "mars/sun10/2m"; }), "m.json: scenes[2].id: \"mars/sun10/2m\""));
-    CHECK(contains(after([](json& m) { m["settings"][3]["baseline"] = "x"; }), "m.json: settings[3].baseline: \"x\""));
+    CHECK(contains(after([](json& m) { m["settings"][3]["baseline"] = 3; }), "m.json: settings[3].baseline: 3"));
     CHECK(contains(after([](json& m) { m["settings"][1]["baseline"] = "aureole default"; }), "m.json: settings[1].baseline:"));
     CHECK(contains(after([](json& m) { m["settings"][3]["without"] = "ozone"; }), "m.json: settings[3].without"));
     CHECK(contains(after([](json& m) { m["results"][4]["scene"] = "venus"; }), "m.json: results[4].scene: \"venus\""));

@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-namespace aureole::app {
+namespace aureole::app::report {
 namespace {
 
 using Results = std::vector<const MeasuredResult*>;
@@ -116,4 +116,4 @@ std::vector<ClassSummary> summarize(const Measurements& all) {
     return classes;
 }
 
-}  // namespace aureole::app
+}  // namespace aureole::app::report

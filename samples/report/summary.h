@@ -3,7 +3,7 @@
 
 #include "report/measurements.h"
 
-namespace aureole::app {
+namespace aureole::app::report {
 
 /// How many scenes become one, in words for the reader of a table.
 inline constexpr std::string_view aggregation_note =
@@ -42,4 +42,4 @@ struct ClassSummary {
 [[nodiscard]] Summary summarize(const Measurements& all, std::size_t setting,
                                 const std::vector<const MeasuredResult*>& results);
 
-}  // namespace aureole::app
+}  // namespace aureole::app::report

@@ -7,7 +7,7 @@ function head(data) {
         `Suite ${data.suite}: ${amount(data.scenes, 'scene', 'scenes')} of ${amount(data.classes.length, 'class', 'classes')}, ` +
         `${amount(data.settings.length, 'setting', 'settings')}, ${amount(data.results, 'result', 'results')}.`;
     const costs = data.classes.some((of) => of.settings.some(({costs}) => Object.keys(costs).length));
-    const devices = [['Library', `Aureole ${data.library}`], ['Errors measured on', data.device],
+    const devices = [['Library', data.library ? `Aureole ${data.library}` : 'not named'], ['Errors measured on', data.device],
                      ['Costs measured on', costs && data.cost_device ? data.cost_device : NOT_MEASURED]];
     document.getElementById('devices').append(...devices.flatMap(
         ([term, text]) => [element('dt', {textContent: term}), element('dd', {textContent: text})]));

@@ -4,11 +4,14 @@
 #include "io/csv.h"
 #include "io/file.h"
 #include "measure/measure.h"
+#include "report/report.h"
 
 #include <unistd.h>
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <memory>
+#include <optional>
 
 namespace aureole::app {
 namespace {
@@ -17,7 +20,8 @@ struct MeasureCommand {
     std::string suite = "small";
     std::vector<std::string> models;
     std::filesystem::path out = "measured";
-    bool no_parts = false;
+    bool no_parts = false, no_costs = false, no_html = false;
+    std::uint32_t rounds = 5;
     BackendOptions backend;
 };
 
@@ -51,6 +55,19 @@ void print_summary(const nlohmann::json& measured) {
     }
 }
 
+void write_all(const nlohmann::json& measured, const MeasureCommand& command) {
+    const auto write = [&](const char* name, const std::string& text) {
+        write_text(command.out / name, text);
+        std::printf("%s\n", (command.out / name).c_str());
+    };
+    write("measurements.json", measured.dump(1) + "\n");
+    write("results.csv", csv_lines(measured));
+    write("tables.md", markdown_tables(measured));
+    if (command.no_html) return;
+    write_report(measured, command.out / "report.html");
+    std::printf("%s\n", (command.out / "report.html").c_str());
+}
+
 void run_measure(const MeasureCommand& command) {
     Suite suite = read_suite(find_suite(command.suite));
     keep_models(suite, command.models);
@@ -60,13 +77,23 @@ void run_measure(const MeasureCommand& command) {
     std::printf("suite %s: %zu scenes, %zu settings, on %s\n", suite.name.c_str(), suite.scenes.size(), suite.settings.size(),
                 run->describe().c_str());
     std::fflush(stdout);
+    const MeasureOptions options{.out = command.out, .parts = !command.no_parts, .cost_rounds = command.rounds};
     Progress progress(suite.airs.size() * suite.settings.size(), stderr, isatty(STDERR_FILENO) == 1);
-    const nlohmann::json measured = measure(suite, {.out = command.out, .parts = !command.no_parts}, *run, *exact,
-                                            [&](std::size_t done, std::size_t) { progress.reach(done); });
+    nlohmann::json measured =
+        measure(suite, options, *run, *exact, [&](std::size_t done, std::size_t) { progress.reach(done); });
+    measured["library"] = AUREOLE_VERSION;
+    if (!command.no_costs) {
+        std::fprintf(stderr, "costs, in rounds:\n");
+        std::optional<Progress> rounds;
+        measured["costs"] = measure_costs(suite, options, *run, [&](std::size_t done, std::size_t all) {
+            if (!rounds) rounds.emplace(all, stderr, isatty(STDERR_FILENO) == 1);
+            rounds->reach(done);
+        });
+        measured["cost_device"] = run->describe();
+    }
     run->check();
-    write_text(command.out / "measurements.json", measured.dump(1) + "\n");
     print_summary(measured);
-    std::printf("%s\n", (command.out / "measurements.json").c_str());
+    write_all(measured, command);
     run->close();
     exact->close();
 }
@@ -89,6 +116,11 @@ void add_measure_command(CLI::App& program) {
         ->check(CLI::IsMember(strings(model_names())));
     command->add_option("-o,--out", options->out, "Folder for results; made if need be")->capture_default_str();
     command->add_flag("--no-parts", options->no_parts, "Total errors alone: a third of the time");
+    command->add_option("--rounds", options->rounds, "Measured rounds of the costs")
+        ->check(whole_number(1, 100000))
+        ->capture_default_str();
+    command->add_flag("--no-costs", options->no_costs, "Errors alone");
+    command->add_flag("--no-html", options->no_html, "Leave out the page, which a program built without npm does not have");
     add_backend_options(*command, options->backend);
     command->callback([options] { run_measure(*options); });
 }

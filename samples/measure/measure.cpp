@@ -1,8 +1,6 @@
 #include "measure/measure.h"
 
-#include "io/file.h"
-
-#include <aureole/rhi/error.h>
+#include "measure/kept.h"
 
 #include <algorithm>
 #include <map>
@@ -49,18 +47,11 @@ public:
         for (const Place& place : places_) scenes_ += suite.id(suite.scenes[place.scene]) + " ";
     }
 
-    /// From the file if it is of the same air, scenes and device, else anew. An empty array if the setting is none for this
-    /// air.
+    /// An empty array if the setting is none for this air.
     json item(const SuiteSetting& setting) {
-        const std::optional<Prepared> prepared = prepare(setting, air_.parameters);
-        if (!prepared || setting.model.in_rgb() != (air_.spectral == "rgb")) return json::array();
+        if (!is_for(setting, air_)) return json::array();
         const std::filesystem::path file = options_.out / "items" / air_.name / file_name(setting.id());
-        const json key = key_of(setting);
-        if (const json kept = read_kept(file); kept.is_object() && kept.value("key", json()) == key) return kept.at("results");
-        json results = measured(setting, *prepared);
-        std::filesystem::create_directories(file.parent_path());
-        write_text(file, json{{"key", key}, {"results", results}}.dump() + "\n");
-        return results;
+        return kept_or(file, key_of(setting), [&] { return measured(setting); });
     }
 
 private:
@@ -71,12 +62,8 @@ private:
                 {"device", run_.describe()},
                 {"parts", options_.parts}};
     }
-    [[nodiscard]] static json read_kept(const std::filesystem::path& file) {
-        if (!std::filesystem::exists(file)) return {};
-        return json::parse(read_text(file), nullptr, false);
-    }
-
-    json measured(const SuiteSetting& setting, const Prepared& prepared) {
+    json measured(const SuiteSetting& setting) {
+        const Prepared prepared = prepare(setting, air_.parameters).value();
         const std::vector<Seen> run = look(run_, prepared, suite_, places_);
         const bool parts = options_.parts && setting.model.name != "reference";  // its error is noise
         const std::vector<Seen> exact = parts ? look(exact_, prepared, suite_, places_) : std::vector<Seen>();

@@ -5,8 +5,8 @@
 #include <doctest/doctest.h>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <set>
 
 using namespace aureole;

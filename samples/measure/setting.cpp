@@ -126,6 +126,10 @@ std::optional<Prepared> prepare(const SuiteSetting& setting, const AtmospherePar
     return prepared;
 }
 
+bool is_for(const SuiteSetting& setting, const SuiteAir& air) {
+    return setting.model.in_rgb() == (air.spectral == "rgb") && prepare(setting, air.parameters).has_value();
+}
+
 SuiteSetting converged(const SuiteSetting& setting) {
     SuiteSetting result = setting;
     result.model.quality = "converged";

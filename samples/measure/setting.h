@@ -32,6 +32,8 @@ struct Prepared {
 };
 /// None where a term is to be left out that the air does not have.
 [[nodiscard]] std::optional<Prepared> prepare(const SuiteSetting& setting, const AtmosphereParameters& air);
+/// Whether it is measured in this air: in colours of its truth, with nothing left out that the air does not have.
+[[nodiscard]] bool is_for(const SuiteSetting& setting, const SuiteAir& air);
 /// The same as fine as the model gets, with the same left out of the light itself (not of samples and formats): what separates
 /// the two is discretisation.
 [[nodiscard]] SuiteSetting converged(const SuiteSetting& setting);

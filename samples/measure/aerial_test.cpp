@@ -120,17 +120,23 @@ TEST_CASE("aerial: thin air adds its own light in proportion to the distance") {
     const Rgb scattering(1e-9, 2e-9, 3e-9);
     const AtmosphereParameters air = even_air(scattering, Rgb(0));
     const AerialView view{0, 5, 0};
+    const double own = static_cast<float>(geometry_radiance(0));  // as a texture holds it
     const std::vector<double> distances = aerial_distances(air.planet, view);
     const auto truth = trace_aerial(*backend, air, view, coarse());
     REQUIRE(truth);
+    const auto one = open_backend({.name = "cpu-double", .threads = 1});
+    const auto alone = trace_aerial(*one, air, view, coarse());
+    REQUIRE(alone);
+    CHECK(radiance_of(*alone) == radiance_of(*truth));
     for (std::size_t i = 0; i < distances.size(); ++i) {
+        CHECK(truth->pixels[i].error.g > 0);
         CAPTURE(i);
         const double nu = pixel_mu(i);  // the sun is overhead
         const Rgb depth = scattering * distances[i] * 1000.0;
         const Rgb added = depth * (3 / (16 * std::numbers::pi) * (1 + nu * nu));
-        const Rgb found = truth->pixels[i].radiance - geometry_radiance(0) * glm::exp(-depth);
+        const Rgb found = truth->pixels[i].radiance - own * glm::exp(-depth);
         for (int c = 0; c < 3; ++c)  // light scattered twice, and air before the sun: as much as the depth of all the air
-            CHECK(std::abs(found[c] - added[c]) < 0.002 * added[c] + 1e-9);
+            CHECK(std::abs(found[c] - added[c]) < 0.002 * added[c]);
     }
 }
 
@@ -149,44 +155,34 @@ TEST_CASE("aerial: a day on Earth by tables is the truth within both errors") {
     const AtmosphereParameters air = presets::earth();
     const AerialView view{60, 1, 60};
     double share = 0;
-    const auto truth = trace_aerial(*backend, air, view, coarse(0.004), [&](double now) { share = now; });
+    const auto truth = trace_aerial(*backend, air, view, coarse(0.012), [&](double now) { share = now; });
     REQUIRE(truth);
     CHECK(truth->reached);
     CHECK(share == 1);
     const auto tables = aerial(*backend, air, models::aureole(QualitySettings::high()), {{view}});
-    double apart = 0, noise = 0, worst = 0, air_share = 0;
+    double apart = 0, noise = 0, squares = 0, worst = 0, air_share = 0;
     for (std::size_t i = 0; i < aerial_pixels; ++i)
         for (int c = 0; c < 3; ++c) {
             const Estimated& pixel = truth->pixels[i];
             CHECK(truth->paths[i] >= 1024);
-            CHECK(pixel.error[c] <= 0.004 * pixel.radiance[c]);
+            CHECK(pixel.error[c] <= 0.012 * pixel.radiance[c]);
             const double off = std::abs(tables[0][i][c] / pixel.radiance[c] - 1);
             apart += off / 288;
+            squares += std::pow((tables[0][i][c] - pixel.radiance[c]) / pixel.error[c], 2) / 288;
             noise += pixel.error[c] / pixel.radiance[c] / 288;
             worst = std::max(worst, off);
             air_share = std::max(air_share, std::abs(pixel.radiance[c] / geometry_radiance(60) - 1));
         }
-    std::printf("aerial: tables are %.2f %% from the truth on average, worst %.2f %%; standard error %.2f %%\n", 100 * apart,
-                100 * worst, 100 * noise);
+    std::printf(
+        "aerial: tables are %.2f %% from the truth on average, worst %.2f %%; standard error %.2f %%, rms %.2f of them\n",
+        100 * apart, 100 * worst, 100 * noise, std::sqrt(squares));
     CHECK(air_share > 0.5);
     CHECK(apart < 0.005);
     CHECK(worst < 0.03);
 
-    // Another seed, other paths: apart by as much as both errors say. As many threads as one likes: the same.
-    TraceSettings other = coarse();
-    other.seed = 1;
-    const auto one = open_backend({.name = "cpu-double", .threads = 1});
-    const auto again = trace_aerial(*backend, air, view, other), alone = trace_aerial(*one, air, view, other);
-    REQUIRE(again);
-    REQUIRE(alone);
-    CHECK(radiance_of(*again) == radiance_of(*alone));
-    double squares = 0;
-    for (std::size_t i = 0; i < aerial_pixels; ++i) {
-        const double sum = std::hypot(again->pixels[i].error.g, truth->pixels[i].error.g);
-        squares += std::pow((again->pixels[i].radiance.g - truth->pixels[i].radiance.g) / sum, 2) / aerial_pixels;
-    }
+    // Not closer than the noise, and not much farther.
     CHECK(std::sqrt(squares) > 0.7);
-    CHECK(std::sqrt(squares) < 1.4);
+    CHECK(std::sqrt(squares) < 2);
 }
 
 TEST_CASE("aerial: truth in wavelengths, against tables in wavelengths") {
@@ -203,7 +199,7 @@ TEST_CASE("aerial: truth in wavelengths, against tables in wavelengths") {
     const auto tables = aerial(*backend, air, model, {{view}});
     const std::vector<Rgb> radiance = radiance_of(*truth);
     CHECK(worst_apart(tables[0], radiance) < 0.05);
-    CHECK(worst_apart(in_rgb[0], radiance) > 0.1);
+    CHECK(worst_apart(in_rgb[0], radiance) > 0.05);
 }
 
 TEST_CASE("aerial: stopped, and refused") {

@@ -71,13 +71,13 @@ TEST_CASE("costs: every air has its own, over black ground too") {
     const std::vector<CostSubject> subjects{
         {"earth", presets::earth(), model}, {"molecules", two, model}, {"black", black, model}};
     CostOptions options = quick();
-    options.rounds = 2;
+    options.rounds = 3;
     const std::vector<Cost> found = costs(*backend, subjects, options);
     REQUIRE(found.size() == 3);
     CHECK(found[1].per_frame.bytes < found[0].per_frame.bytes);  // no layers for a sharp phase function
     CHECK(found[2].rebuild.bytes == found[0].rebuild.bytes);
     for (const Cost& cost : found) CHECK(cost.rebuild_ms.p10 > cost.per_frame_ms.p10);
-    CHECK(found[2].rebuild_ms.median > 1.2 * found[2].per_frame_ms.median);  // rebuilt in the second round as well
+    CHECK(found[2].rebuild_ms.median > 1.2 * found[2].per_frame_ms.median);  // rebuilt in most rounds
 }
 
 TEST_CASE("costs: errors name the subject") {

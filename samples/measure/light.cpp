@@ -74,7 +74,7 @@ std::optional<LightTruth> trace_light(Backend& backend, const AtmosphereParamete
     LightTruth truth;
     const auto draw = [&](std::uint64_t round, std::span<const std::size_t>, std::span<Rgb> values) {
         models::ReferenceSettings reference;
-        reference.light_paths = trace_batch_paths;
+        reference.light_paths = light_round_paths;
         reference.seed = nth_seed(settings, round);
         values[0] = truth.sun_irradiance = Rgb(0);
         for (std::size_t air = 0; air < colours.airs().size(); ++air) {
@@ -85,12 +85,12 @@ std::optional<LightTruth> trace_light(Backend& backend, const AtmosphereParamete
         }
         return true;
     };
-    const std::uint64_t most = std::min<std::uint64_t>(settings.max_paths / trace_batch_paths, seeds_of_one);
+    const std::uint64_t most = std::min<std::uint64_t>(settings.max_paths / light_round_paths, seeds_of_one);
     const auto sampled = sample(1, settings.error, most, draw, progress);
     if (!sampled) return std::nullopt;
     backend.check();
     truth.sky_irradiance_up = sampled->values[0];
-    truth.paths = sampled->rounds[0] * trace_batch_paths;
+    truth.paths = sampled->rounds[0] * light_round_paths;
     truth.reached = sampled->reached;
     return truth;
 }

@@ -26,6 +26,9 @@ struct MeasuredLight {
     Rgb sky_irradiance_up{0};  ///< Of a horizontal surface: the sky's alone, as far as spherical harmonics of degree 2 tell it.
 };
 
+/// Paths of each of the light table's directions in a round of trace_light.
+inline constexpr int light_round_paths = 16;
+
 /// By LightTable at each place; every model has light. Throws Error(invalid_argument) naming the place (from 1).
 [[nodiscard]] std::vector<MeasuredLight> light(Backend& backend, const AtmosphereParameters& parameters, const ModelPtr& model,
                                                std::span<const LightPlace> places);
@@ -37,9 +40,9 @@ struct LightTruth {
     bool reached = false;         ///< The error is as small as wanted; false where max_paths came first.
 };
 
-/// The same by path tracing, through the same directions and harmonics: light tables of trace_batch_paths paths a direction,
+/// The same by path tracing, through the same directions and harmonics: light tables of light_round_paths paths a direction,
 /// each with another seed, until the standard error of the sky's irradiance is as small as settings.error wants. Of the
-/// settings max_paths is that of a direction (there are seeds for 262144), and orders is 0. `progress` is told how much is
+/// settings max_paths is that of a direction (there are seeds for 65536), and orders is 0. `progress` is told how much is
 /// done, in [0, 1]; none if `stop` says so, which is asked before each table. Errors as above, and of TraceSettings.
 [[nodiscard]] std::optional<LightTruth> trace_light(Backend& backend, const AtmosphereParameters& parameters,
                                                     const LightPlace& place, const TraceSettings& settings,

@@ -12,7 +12,7 @@ TEST_CASE("spread_of: median and the inner 80 %") {
     CHECK(spread.p90 == doctest::Approx(4.6));
 }
 
-TEST_CASE("bench: every pass of every setting is timed and counted") {
+TEST_CASE("bench: every pass of every setting is timed and counted" * doctest::test_suite("long")) {
     const auto backend = open_backend({.name = "cpu"});
     BenchOptions options;
     options.width = 32;
@@ -54,7 +54,7 @@ TEST_CASE("bench: every pass of every setting is timed and counted") {
     CHECK(results.at(4).pass("transmittance").counts.evaluations == 256 * 64 * 40);
 }
 
-TEST_CASE("bench: the counts of a pass are its own, however its pipelines are called") {
+TEST_CASE("bench: the counts of a pass are its own, however its pipelines are called" * doctest::test_suite("long")) {
     const auto backend = open_backend({.name = "cpu"});
     BenchOptions options;
     options.width = 16;

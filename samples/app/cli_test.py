@@ -296,6 +296,35 @@ def check_bench_and_devices():
                f'every model has a line: {text}')
 
 
+def check_measure():
+    """A suite's truth is traced and kept; what is measured is kept, too."""
+    def suite(elevations, more=''):
+        return put('tiny.toml', 'truth_error = 0.1\ntruth_max_paths = 4096\n[[air]]\nname = "earth"\n[[scenes]]\nclass = "Day"\n'
+                   f'air = "earth"\nsun_elevation_deg = {elevations}\naltitude_m = [2]\n[[setting]]\nmodel = ["fog", "single-lut"]\n{more}')
+    tiny, table = suite('[30]'), FOLDER / 'truth/earth.csv'
+    fails('earth.csv lacks scenes of the suite; `aureole truth` adds them', 'measure', '--suite', tiny, *BACKEND, '-o', FOLDER / 'report')
+    expect('are missing' in works('truth', tiny) and 'complete' in works('truth', tiny), 'truth says what is missing')
+    first = table.read_text().splitlines()
+    works('truth', suite('[30, 10]'))
+    more = table.read_text().splitlines()
+    expect(len(more) > 1.8 * len(first) - 4 and set(first) < set(more), 'truth adds what is missing and leaves the rest')
+    works('truth', suite('[30]'))
+    out = works('measure', '--suite', tiny, *BACKEND, '-o', FOLDER / 'report', '--no-costs', '--no-html')
+    expect('single-lut default' in out and 'median_%' in out and BACKEND[1] + ' on ' in out, f'measure says what it did: {out}')
+    measured = json.loads((FOLDER / 'report/measurements.json').read_text())
+    errors = {r['setting']: r['regions']['all']['median'] for r in measured['results']}
+    expect(errors['fog default'] > errors['single-lut default'] > 0.1, f'measure: errors {errors}')
+    expect(all(r['split']['model']['median'] > 0 for r in measured['results']) and measured['library'], 'measure: parts')
+    expect((FOLDER / 'report/tables.md').exists() and (FOLDER / 'report/results.csv').exists(), 'measure: tables')
+    fails('--models', 'measure', '--suite', tiny, *BACKEND, '--models', 'aureole', '-o', FOLDER / 'report')
+    fails('none.toml', 'measure', '--suite', FOLDER / 'none.toml', *BACKEND, '-o', FOLDER / 'report')
+    fails('--suite: "tiny" is not allowed; allowed: small', 'measure', '--suite', 'tiny', *BACKEND, '-o', FOLDER / 'report')
+    fails('tiny.toml:13: setting[0].colour', 'measure', '--suite', suite('[30]', '\ncolour = 1\n'), *BACKEND, '-o', FOLDER / 'report')
+    suite('[30]')
+    put('truth/earth.csv', '\n'.join(more).replace('ground_albedo=0.3,', 'ground_albedo=0.4,'))
+    fails('is the truth of another air', 'measure', '--suite', tiny, *BACKEND, '-o', FOLDER / 'report')
+
+
 def check_report():
     example = SCENES.parent / 'report/example.json'
     works('report', example, '-o', FOLDER / 'report', '--no-html', '--markdown', FOLDER / 'trade.md')
@@ -312,7 +341,8 @@ def check_report():
 
 
 def check_help():
-    for command in ([], ['render'], ['probe'], ['score'], ['trace'], ['bench'], ['report'], ['devices']):
+    for command in ([], ['render'], ['probe'], ['score'], ['trace'], ['truth'], ['measure'], ['bench'], ['report'],
+                    ['devices']):
         out = works(*command, '--help')
         expect(len(out.splitlines()) > 3, f'help of {command}')
     fails('ubcommand', )
@@ -338,5 +368,6 @@ check_score(check_probe())
 check_trace()
 check_bench_and_devices()
 check_report()
+check_measure()
 print('\n'.join(failures) if failures else 'the command line keeps its word')
 sys.exit(1 if failures else 0)

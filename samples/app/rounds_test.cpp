@@ -126,7 +126,7 @@ TEST_CASE("the path tracer's rounds add up to the paths asked for") {
     CHECK(next.linear.rgb == alone.linear.rgb);
 }
 
-TEST_CASE("the path tracer with land: a mean of composites, shown as one is") {
+TEST_CASE("the path tracer with land: a mean of composites, shown as one is" * doctest::test_suite("long")) {
     put_land();
     const auto backend = open_backend({.name = "cpu"});
     const auto render = [&](const char* model, bool linear) {

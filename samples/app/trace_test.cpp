@@ -85,7 +85,7 @@ TEST_CASE("trace: rows of an independent table of truth, and their first orders"
     }
 }
 
-TEST_CASE("trace: the stated error is that by which seeds scatter") {
+TEST_CASE("trace: the stated error is that by which seeds scatter" * doctest::test_suite("long")) {
     const auto backend = cpu_double();
     constexpr int seeds = 20;
     const std::vector<ProbeRow> rows{some_rows[0], some_rows[2]};
@@ -203,7 +203,7 @@ TEST_CASE("trace: where nothing is random there is no error") {
     CHECK(sky.paths == trace_least_rounds * trace_round_paths);
 }
 
-TEST_CASE("trace: orders one by one, against others' paths") {
+TEST_CASE("trace: orders one by one, against others' paths" * doctest::test_suite("long")) {
     const auto backend = cpu_double();
     const AtmosphereParameters air = presets::hazy_earth();
     const std::vector<ProbeRow> rows{{60, 0.2, 60, 90}};

@@ -115,7 +115,7 @@ TEST_CASE("aerial: air that only absorbs leaves exp(-distance), by tables and in
     CHECK(worst_apart(tables[0], expected) < 0.01);
 }
 
-TEST_CASE("aerial: thin air adds its own light in proportion to the distance") {
+TEST_CASE("aerial: thin air adds its own light in proportion to the distance" * doctest::test_suite("long")) {
     const auto backend = open_backend({.name = "cpu-double"});
     const Rgb scattering(1e-9, 2e-9, 3e-9);
     const AtmosphereParameters air = even_air(scattering, Rgb(0));
@@ -150,7 +150,7 @@ TEST_CASE("aerial: out of the air nothing comes between") {
     CHECK(aerial(*backend, presets::earth(), models::aureole(QualitySettings::low()), {}).empty());
 }
 
-TEST_CASE("aerial: a day on Earth by tables is the truth within both errors") {
+TEST_CASE("aerial: a day on Earth by tables is the truth within both errors" * doctest::test_suite("long")) {
     const auto backend = open_backend({.name = "cpu-double"});
     const AtmosphereParameters air = presets::earth();
     const AerialView view{60, 1, 60};
@@ -185,7 +185,7 @@ TEST_CASE("aerial: a day on Earth by tables is the truth within both errors") {
     CHECK(std::sqrt(squares) < 2);
 }
 
-TEST_CASE("aerial: truth in wavelengths, against tables in wavelengths") {
+TEST_CASE("aerial: truth in wavelengths, against tables in wavelengths" * doctest::test_suite("long")) {
     const auto backend = open_backend({.name = "cpu-double"});
     const AtmosphereParameters air = presets::earth();
     const AerialView view{60, 1, 60};

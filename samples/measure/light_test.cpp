@@ -57,7 +57,7 @@ TEST_CASE("light: without air the sun as it is, and no sky; through air that abs
     }
 }
 
-TEST_CASE("light: a dusk on Earth by tables is the truth within both errors") {
+TEST_CASE("light: a dusk on Earth by tables is the truth within both errors" * doctest::test_suite("long")) {
     const auto backend = open_backend({.name = "cpu-double"});
     const AtmosphereParameters air = presets::earth();
     const std::vector<LightPlace> places{{50, 0.002}, {93, 0.002}}, alone{places[1]};
@@ -85,7 +85,7 @@ TEST_CASE("light: a dusk on Earth by tables is the truth within both errors") {
                 static_cast<unsigned long long>(truth->paths));
 }
 
-TEST_CASE("light: of every model, and in wavelengths") {
+TEST_CASE("light: of every model, and in wavelengths" * doctest::test_suite("long")) {
     const auto backend = open_backend({.name = "cpu"});
     const std::vector<LightPlace> places{{40, 0.1}};
     for (const std::string_view name : model_names()) {

@@ -77,7 +77,7 @@ const json& result(const json& all, const std::string& scene, const std::string&
 
 }  // namespace
 
-TEST_CASE("measure: errors and their parts, where they are known otherwise") {
+TEST_CASE("measure: errors and their parts, where they are known otherwise" * doctest::test_suite("long")) {
     const auto run = open_backend({.name = "cpu"}), exact = open_backend({.name = "cpu-double"});
     const Suite suite = with_own_truth(*exact);
     const json all = measured(suite, *run, *exact);

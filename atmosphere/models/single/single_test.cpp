@@ -367,7 +367,7 @@ TEST_CASE("single: settings out of range are named") {
     CHECK(detail::rejected_field([] { (void)SingleSettings::by_name("ultra"); }) == "quality");
 }
 
-TEST_CASE("single: every backend shows the same, everywhere and at every hour") {
+TEST_CASE("single: every backend shows the same, everywhere and at every hour" * doctest::test_suite("long")) {
     passes::Backends backends;
     passes::check_model(backends, models::single(), "single");
     passes::check_model(backends, models::single(SingleSettings::by_name("low")), "single, dome");

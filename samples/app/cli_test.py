@@ -309,12 +309,15 @@ def check_measure():
     more = table.read_text().splitlines()
     expect(len(more) > 1.8 * len(first) - 4 and set(first) < set(more), 'truth adds what is missing and leaves the rest')
     works('truth', suite('[30]'))
-    out = works('measure', '--suite', tiny, *BACKEND, '-o', FOLDER / 'report', '--no-costs', '--no-html')
+    out = works('measure', '--suite', tiny, *BACKEND, '-o', FOLDER / 'report', '--rounds', 1, '--no-html')
     expect('single-lut default' in out and 'median_%' in out and BACKEND[1] + ' on ' in out, f'measure says what it did: {out}')
     measured = json.loads((FOLDER / 'report/measurements.json').read_text())
     errors = {r['setting']: r['regions']['all']['median'] for r in measured['results']}
     expect(errors['fog default'] > errors['single-lut default'] > 0.1, f'measure: errors {errors}')
     expect(all(r['split']['model']['median'] > 0 for r in measured['results']) and measured['library'], 'measure: parts')
+    expect([c['setting'] for c in measured['costs']] == ['fog default', 'single-lut default'] and
+           measured['costs'][1]['composite_ms']['median'] > 0 and measured['costs'][1]['rebuild']['medium_evaluations'] > 0 and
+           measured['pictures'] == [], f'measure: costs {measured["costs"]}')
     expect((FOLDER / 'report/tables.md').exists() and (FOLDER / 'report/results.csv').exists(), 'measure: tables')
     fails('--models', 'measure', '--suite', tiny, *BACKEND, '--models', 'aureole', '-o', FOLDER / 'report')
     fails('none.toml', 'measure', '--suite', FOLDER / 'none.toml', *BACKEND, '-o', FOLDER / 'report')

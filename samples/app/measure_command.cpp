@@ -20,7 +20,7 @@ struct MeasureCommand {
     std::string suite = "small";
     std::vector<std::string> models;
     std::filesystem::path out = "measured";
-    bool no_parts = false, no_costs = false, no_html = false;
+    bool no_parts = false, no_costs = false, no_pictures = false, no_html = false;
     std::uint32_t rounds = 5;
     BackendOptions backend;
 };
@@ -82,6 +82,12 @@ void run_measure(const MeasureCommand& command) {
     nlohmann::json measured =
         measure(suite, options, *run, *exact, [&](std::size_t done, std::size_t) { progress.reach(done); });
     measured["library"] = AUREOLE_VERSION;
+    if (!command.no_pictures) {
+        std::fprintf(stderr, "pictures:\n");
+        Progress pictures(suite.airs.size() * suite.settings.size(), stderr, isatty(STDERR_FILENO) == 1);
+        measured["pictures"] =
+            measure_pictures(suite, options, *run, [&](std::size_t done, std::size_t) { pictures.reach(done); });
+    }
     if (!command.no_costs) {
         std::fprintf(stderr, "costs, in rounds:\n");
         std::optional<Progress> rounds;
@@ -119,7 +125,8 @@ void add_measure_command(CLI::App& program) {
     command->add_option("--rounds", options->rounds, "Measured rounds of the costs")
         ->check(whole_number(1, 100000))
         ->capture_default_str();
-    command->add_flag("--no-costs", options->no_costs, "Errors alone");
+    command->add_flag("--no-costs", options->no_costs, "No costs");
+    command->add_flag("--no-pictures", options->no_pictures, "No pictures of scenes that have `picture`");
     command->add_flag("--no-html", options->no_html, "Leave out the page, which a program built without npm does not have");
     add_backend_options(*command, options->backend);
     command->callback([options] { run_measure(*options); });

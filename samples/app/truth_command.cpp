@@ -3,6 +3,7 @@
 #include "app/suites.h"
 #include "app/trace_run.h"
 #include "measure/light.h"
+#include "measure/pictures.h"
 #include "measure/truth.h"
 
 #include <unistd.h>
@@ -14,6 +15,7 @@ namespace aureole::app {
 namespace {
 
 constexpr std::size_t progress_steps = 1000;
+constexpr double picture_error = 0.02;  // less cannot be seen
 
 struct TruthOptions {
     std::string suite = "small";
@@ -33,16 +35,18 @@ void print_state(const std::filesystem::path& file, std::size_t missing, std::si
     std::fflush(stdout);
 }
 
-/// What is missing of one air's radiances; a checkpoint beside the table keeps what an interrupted run has done.
-void complete_sky(const Suite& suite, std::size_t index, Backend& backend) {
-    const SuiteAir& air = suite.airs[index];
-    const std::filesystem::path file = truth_file(suite, air, TruthKind::sky), checkpoint = file.string() + ".checkpoint";
+/// What is missing of directions; a checkpoint beside the table keeps what an interrupted run has done.
+void complete_rows(const Suite& suite, const SuiteAir& air, TruthKind kind, std::span<const ProbeRow> wanted, double error,
+                   Backend& backend) {
+    if (wanted.empty()) return;
+    const std::filesystem::path file = truth_file(suite, air, kind), checkpoint = file.string() + ".checkpoint";
     const TraceParameters parameters = truth_parameters(air);
-    TruthTable table = TruthTable::read(file, parameters, TruthKind::sky);
-    const std::vector<ProbeRow> rows = table.missing(truth_rows(suite, index));
+    TruthTable table = TruthTable::read(file, parameters, kind);
+    const std::vector<ProbeRow> rows = table.missing(wanted);
     print_state(file, rows.size(), table.size(), "directions");
     if (rows.empty()) return;
-    const TraceSettings settings = settings_of(suite, air);
+    TraceSettings settings = settings_of(suite, air);
+    settings.error = error;
     Tracer tracer(backend, air.parameters, rows, settings);
     const TraceParameters traced = parameters_of(air.parameters, settings, backend);
     if (std::filesystem::exists(checkpoint)) read_checkpoint(checkpoint, traced, tracer);
@@ -57,6 +61,14 @@ void complete_sky(const Suite& suite, std::size_t index, Backend& backend) {
     std::filesystem::remove(checkpoint);
     std::printf("%s  complete: %zu directions, greatest standard error of the new ones %.3g %%\n", file.c_str(), table.size(),
                 100 * worst);
+}
+
+void complete_pictures(const Suite& suite, std::size_t index, Backend& backend) {
+    std::vector<ProbeRow> rows;
+    for (const std::size_t i : suite.scenes_of(index))
+        if (suite.scenes[i].picture)
+            for (const ProbeRow& row : picture_rows(suite.scenes[i])) rows.push_back(row);
+    complete_rows(suite, suite.airs[index], TruthKind::picture, rows, std::max(suite.truth_error, picture_error), backend);
 }
 
 /// Scenes of an air that a table lacks, each traced and kept in turn.
@@ -136,9 +148,10 @@ void run_truth(const TruthOptions& options) {
     std::filesystem::create_directories(suite.truth_folder);
     const std::unique_ptr<Backend> backend = open_backend(options.backend);
     for (std::size_t i = 0; i < suite.airs.size(); ++i) {
-        complete_sky(suite, i, *backend);
+        complete_rows(suite, suite.airs[i], TruthKind::sky, truth_rows(suite, i), suite.truth_error, *backend);
         complete_aerial(suite, i, *backend);
         complete_light(suite, i, *backend);
+        complete_pictures(suite, i, *backend);
     }
     backend->close();
 }

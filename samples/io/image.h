@@ -1,6 +1,7 @@
 // Pictures in memory, and the files they become.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <vector>
@@ -22,6 +23,9 @@ struct LinearImage {
 /// Both throw Error(io) and leave nothing behind if the file cannot be written.
 void write_png(const std::filesystem::path& path, const DisplayImage& image);
 void write_exr(const std::filesystem::path& path, const LinearImage& image);
+
+/// A PNG file's bytes: linear values in [0, 1] (beyond them cut off) as sRGB of 8 bits.
+[[nodiscard]] std::vector<std::byte> encode_png(const LinearImage& image);
 
 /// One channel of numbers as the file stores them: a 8- or 16-bit greyscale PNG (0 .. 255 or 65535), or the channel "Y", "R" or
 /// the only one of an EXR. Row by row from the top.

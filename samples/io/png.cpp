@@ -4,6 +4,8 @@
 #include <aureole/rhi/error.h>
 
 #include <png.h>
+#include <algorithm>
+#include <cmath>
 #include <csetjmp>
 #include <cstring>
 #include <string>
@@ -118,6 +120,24 @@ void write_png(const std::filesystem::path& path, const DisplayImage& image) {
     if (!png_image_write_to_file(&description, file.temporary().c_str(), 0, image.rgb.data(), 0, nullptr))
         throw Error(ErrorCode::io, path.string() + ": cannot be written: " + description.message);
     file.commit();
+}
+
+std::vector<std::byte> encode_png(const LinearImage& image) {
+    constexpr float most = 65535;
+    std::vector<std::uint16_t> linear;
+    for (const float value : image.rgb)
+        linear.push_back(static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * most)));
+    png_image description{};
+    description.version = PNG_IMAGE_VERSION;
+    description.width = image.width;
+    description.height = image.height;
+    description.format = PNG_FORMAT_LINEAR_RGB;
+    std::vector<std::byte> bytes(PNG_IMAGE_PNG_SIZE_MAX(description));
+    png_alloc_size_t size = bytes.size();
+    if (!png_image_write_to_memory(&description, bytes.data(), &size, 1, linear.data(), 0, nullptr))
+        throw Error(ErrorCode::internal, std::string("a picture cannot become a PNG: ") + description.message);
+    bytes.resize(size);
+    return bytes;
 }
 
 }  // namespace aureole::app

@@ -3,10 +3,26 @@
 
 #include "io/file.h"
 
+#include <cctype>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
 
 namespace aureole::app {
+
+/// Of the program that runs: another build has another one.
+[[nodiscard]] inline std::string build_stamp() {
+    const std::filesystem::path program = std::filesystem::canonical("/proc/self/exe");
+    return std::to_string(std::filesystem::file_size(program)) + " bytes, " +
+           std::to_string(std::filesystem::last_write_time(program).time_since_epoch().count());
+}
+
+/// Of what has this id: letters, digits and hyphens stay.
+[[nodiscard]] inline std::string file_name(std::string id) {
+    for (char& c : id)
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') c = '_';
+    return id + ".json";
+}
 
 /// What the file holds if it was kept under the same key; else what `make` makes, which is kept. A broken file counts as none.
 template <class Make>

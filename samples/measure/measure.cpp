@@ -2,7 +2,6 @@
 
 #include "measure/kept.h"
 
-#include <algorithm>
 #include <map>
 
 namespace aureole::app {
@@ -32,12 +31,6 @@ json to_json(const Suite& suite, const SuiteSetting& setting, const SceneResult&
     return out;
 }
 
-std::string file_name(std::string id) {
-    std::ranges::replace_if(
-        id, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '-'; }, '_');
-    return id + ".json";
-}
-
 /// Settings of one air.
 class AirMeasurement {
 public:
@@ -60,7 +53,8 @@ private:
                 {"scenes", scenes_},
                 {"setting", setting.id()},
                 {"device", run_.describe()},
-                {"parts", options_.parts}};
+                {"parts", options_.parts},
+                {"build", build_stamp()}};
     }
     json measured(const SuiteSetting& setting) {
         const Prepared prepared = prepare(setting, air_.parameters).value();

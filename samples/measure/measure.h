@@ -21,6 +21,11 @@ struct MeasureOptions {
 [[nodiscard]] nlohmann::json measure(const Suite& suite, const MeasureOptions& options, Backend& run, Backend& exact,
                                      const std::function<void(std::size_t done, std::size_t items)>& after_item);
 
+/// Pictures of the suite's scenes that want them: the truth, each setting, and how far it is from the truth (pictures.h), as
+/// PNG in base64; kept as above.
+[[nodiscard]] nlohmann::json measure_pictures(const Suite& suite, const MeasureOptions& options, Backend& run,
+                                              const std::function<void(std::size_t done, std::size_t items)>& after_item);
+
 /// What each setting costs in each air, on `run` (cost.h), all settings of an air in turn; kept as above. `reference` is left
 /// out. Throws Error(unsupported) if the device has no clock.
 [[nodiscard]] nlohmann::json measure_costs(const Suite& suite, const MeasureOptions& options, Backend& run,

@@ -45,7 +45,10 @@ json measure_costs(const Suite& suite, const MeasureOptions& options, Backend& r
     for (std::size_t i = 0; i < suite.airs.size(); ++i) {
         const SuiteAir& air = suite.airs[i];
         const std::vector<CostSubject> subjects = subjects_of(suite, air);
-        json key{{"air", print_parameters(truth_parameters(air))}, {"device", run.describe()}, {"rounds", options.cost_rounds}};
+        json key{{"air", print_parameters(truth_parameters(air))},
+                 {"device", run.describe()},
+                 {"rounds", options.cost_rounds},
+                 {"build", build_stamp()}};
         for (const CostSubject& subject : subjects) key["settings"].push_back(subject.label);
         const json results = kept_or(options.out / "items" / air.name / "costs.json", key, [&] {
             std::size_t done = 0;

@@ -49,10 +49,11 @@ void read_scenes(Section section, Suite& suite) {
     if (airs.empty()) section.reject("air", "nothing", "the name of an [[air]] above, or an array of names");
     const std::vector<double> elevations = required_numbers(section, "sun_elevation_deg", {-90, 90});
     const std::vector<double> altitudes = required_numbers(section, "altitude_m", {0, 1e12});
-    const bool aerial = section.boolean("aerial").value_or(false);
+    const bool aerial = section.boolean("aerial").value_or(false), picture = section.boolean("picture").value_or(false);
     for (const std::size_t air : airs)
         for (const double elevation : elevations)
-            for (const double altitude : altitudes) suite.scenes.push_back({scene_class, air, elevation, altitude, aerial});
+            for (const double altitude : altitudes)
+                suite.scenes.push_back({scene_class, air, elevation, altitude, aerial, picture});
     section.finish();
 }
 

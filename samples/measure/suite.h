@@ -26,7 +26,8 @@ struct SuiteScene {
     std::size_t air = 0;      ///< Index of Suite::airs.
     double sun_elevation_deg = 0;
     double altitude_m = 0;
-    bool aerial = false;  ///< Also geometry, through the air.
+    bool aerial = false;   ///< Also geometry, through the air.
+    bool picture = false;  ///< Also a picture of all that is around.
 
     [[nodiscard]] double sun_zenith_deg() const { return 90 - sun_elevation_deg; }
     [[nodiscard]] double altitude_km() const { return altitude_m / 1000; }

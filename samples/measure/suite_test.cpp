@@ -1,4 +1,5 @@
 #include "measure/suite.h"
+#include "measure/compare.h"
 #include "measure/setting.h"
 
 #include "io/test_files.h"
@@ -101,6 +102,24 @@ TEST_CASE("suite: what is wrong is named with its line and what is allowed") {
     CHECK(
         contains(complaint_of(with("spectral = 4", "quality = \"high\"\nwithout = \"mie\"")), "beside a setting aureole high"));
     CHECK(contains(complaint_of(with("spectral = 4", "spectrum = 4")), "spectrum"));
+}
+
+TEST_CASE("suite: the program's own are read, and the truth of the small one is complete") {
+    const std::filesystem::path folder = std::filesystem::path(AUREOLE_SCENES).parent_path() / "suites";
+    for (const char* name : {"small.toml", "full.toml"}) CHECK_NOTHROW((void)read_suite(folder / name));
+    const Suite small = read_suite(folder / "small.toml");
+    for (std::size_t air = 0; air < small.airs.size(); ++air) {
+        const std::vector<Place> places = places_of(small, air, read_truth(small, air));
+        CHECK(places.size() == small.scenes_of(air).size());
+        for (const Place& place : places) {
+            std::vector<double> noise;
+            for (const TrueValue& truth : place.truth)
+                if (truth.value.g > 0) noise.push_back(truth.error.g / truth.value.g);
+            INFO(small.id(small.scenes[place.scene]));
+            CHECK(noise.size() > 15);
+            CHECK(summarize(noise).median < 0.02);
+        }
+    }
 }
 
 TEST_CASE("setting: what a model does not have cannot be left out of it") {

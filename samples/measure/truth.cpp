@@ -16,7 +16,7 @@ struct Kind {
     std::string_view suffix, title;
     std::array<std::string_view, 11> columns;
 };
-constexpr std::array<Kind, 3> kinds{
+constexpr std::array<Kind, 4> kinds{
     Kind{".csv",
          "truth by path tracing, 1/sr per unit of solar irradiance, the sun's disk excluded: ",
          {"sun_zenith_deg", "altitude_km", "view_zenith_deg", "azimuth_deg", "L_r_per_sr", "L_g_per_sr", "L_b_per_sr",
@@ -25,6 +25,10 @@ constexpr std::array<Kind, 3> kinds{
          "truth by path tracing of pixels that show geometry through the air, 1/sr per unit of solar irradiance: ",
          {"sun_zenith_deg", "altitude_km", "pixel", "azimuth_deg", "L_r_per_sr", "L_g_per_sr", "L_b_per_sr", "stderr_r_per_sr",
           "stderr_g_per_sr", "stderr_b_per_sr", "paths"}},
+    Kind{"_picture.csv",
+         "truth by path tracing of the pixels of pictures, 1/sr per unit of solar irradiance, the sun's disk excluded: ",
+         {"sun_zenith_deg", "altitude_km", "view_zenith_deg", "azimuth_deg", "L_r_per_sr", "L_g_per_sr", "L_b_per_sr",
+          "stderr_r_per_sr", "stderr_g_per_sr", "stderr_b_per_sr", "paths"}},
     Kind{"_light.csv",
          "truth by path tracing, irradiance per unit of the sun's, part 0 of the sky on a horizontal surface, 1 of the sun: ",
          {"sun_zenith_deg", "altitude_km", "part", "azimuth_deg", "E_r", "E_g", "E_b", "stderr_r", "stderr_g", "stderr_b",

@@ -16,9 +16,10 @@ namespace aureole::app {
 /// What a table holds, all per unit of solar irradiance (of a white sun in wavelengths), and what stands in the third of the
 /// four columns that say of where.
 enum class TruthKind : std::uint8_t {
-    sky,     ///< Radiance of directions, 1/sr, without the sun's disk; view_zenith_deg.
-    aerial,  ///< Radiance of the pixels of an AerialView (aerial.h), 1/sr; pixel.
-    light,   ///< Irradiance; part: 0 that of the sky on a horizontal surface, 1 that of the sun on one that faces it.
+    sky,      ///< Radiance of directions, 1/sr, without the sun's disk; view_zenith_deg.
+    aerial,   ///< Radiance of the pixels of an AerialView (aerial.h), 1/sr; pixel.
+    picture,  ///< Radiance of the pixels of a picture (pictures.h), 1/sr; view_zenith_deg.
+    light,    ///< Irradiance; part: 0 that of the sky on a horizontal surface, 1 that of the sun on one that faces it.
 };
 
 /// What is known of one air.

@@ -71,7 +71,7 @@ function pictures(data) {
     function redraw() {
         const find = (id, key) => data.pictures.find((picture) => picture.scene === scene() && picture.setting === id && picture[key])?.[key];
         const shown = [['Truth', find('truth', 'png')], [setting(), find(setting(), 'png')],
-                       [`Difference of ${setting()} from the truth`, find(setting(), 'difference_png')]];
+                       [`Difference of ${setting()} from the truth, CIEDE2000: 0 black, 2.5 violet, 5 red, 7.5 yellow, 10 and more white`, find(setting(), 'difference_png')]];
         place.replaceChildren(...shown.map(([text, png]) => element(
             'figure', {}, png ? element('img', {src: `data:image/png;base64,${png}`, alt: `${text}, ${scene()}`}) : missingText(NOT_MEASURED),
             element('figcaption', {textContent: text}))));

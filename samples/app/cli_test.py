@@ -321,7 +321,7 @@ def check_measure():
     expect((FOLDER / 'report/tables.md').exists() and (FOLDER / 'report/results.csv').exists(), 'measure: tables')
     fails('--models', 'measure', '--suite', tiny, *BACKEND, '--models', 'aureole', '-o', FOLDER / 'report')
     fails('none.toml', 'measure', '--suite', FOLDER / 'none.toml', *BACKEND, '-o', FOLDER / 'report')
-    fails('--suite: "tiny" is not allowed; allowed: small', 'measure', '--suite', 'tiny', *BACKEND, '-o', FOLDER / 'report')
+    fails('--suite: "tiny" is not allowed; allowed: full, small', 'measure', '--suite', 'tiny', *BACKEND, '-o', FOLDER / 'report')
     fails('tiny.toml:13: setting[0].colour', 'measure', '--suite', suite('[30]', '\ncolour = 1\n'), *BACKEND, '-o', FOLDER / 'report')
     suite('[30]')
     put('truth/earth.csv', '\n'.join(more).replace('ground_albedo=0.3,', 'ground_albedo=0.4,'))

@@ -88,7 +88,9 @@ void run_measure(const MeasureCommand& command) {
         measured["pictures"] =
             measure_pictures(suite, options, *run, [&](std::size_t done, std::size_t) { pictures.reach(done); });
     }
+    print_summary(measured);
     if (!command.no_costs) {
+        write_text(command.out / "measurements.json", measured.dump(1) + "\n");  // whatever becomes of the costs
         std::fprintf(stderr, "costs, in rounds:\n");
         std::optional<Progress> rounds;
         measured["costs"] = measure_costs(suite, options, *run, [&](std::size_t done, std::size_t all) {
@@ -98,7 +100,6 @@ void run_measure(const MeasureCommand& command) {
         measured["cost_device"] = run->describe();
     }
     run->check();
-    print_summary(measured);
     write_all(measured, command);
     run->close();
     exact->close();

@@ -32,6 +32,7 @@ struct PassCostOptions {
     bool geometry = true;    ///< Also a composite with a host's colour and depth.
     bool counts = true;      ///< Also count the passes' work, with a run on the CPU backend.
     bool composites = true;  ///< Count composites too.
+    std::uint32_t counted_width = 0, counted_height = 0;  ///< Of the composite that is counted; 0: as measured.
 };
 
 /// Milliseconds: the middle and what 80 % of the samples lie between.
@@ -51,6 +52,7 @@ struct PassCosts {
     std::vector<PassCost> passes;                 ///< Of the air, of the view, "composite", "composite_geometry".
     std::size_t air_passes = 0, view_passes = 0;  ///< How many of each, the view's without composites.
     Spread per_frame;                             ///< All passes of the view together.
+    Spread frame;                                 ///< The same and the composite without geometry.
     Spread rebuild;                               ///< All passes of the air and per_frame.
     std::uint64_t table_bytes = 0;                ///< Device memory of all tables of one planet and one view.
 

@@ -62,7 +62,8 @@ TraceParameters parameters_of(const AtmosphereParameters& air, const TraceSettin
     return parameters;
 }
 
-void trace_all(Tracer& tracer, const TraceParameters& parameters, const std::filesystem::path& checkpoint) {
+void trace_all(Tracer& tracer, const TraceParameters& parameters, const std::filesystem::path& checkpoint,
+               const std::string& how_to_go_on) {
     std::optional<Interrupts> interrupts;
     if (!checkpoint.empty()) interrupts.emplace();
     Progress progress(progress_steps, stderr, isatty(STDERR_FILENO) == 1);
@@ -79,8 +80,8 @@ void trace_all(Tracer& tracer, const TraceParameters& parameters, const std::fil
         }
         if (interrupted)
             throw Error(ErrorCode::io, "interrupted with " + std::to_string(tracer.done()) + " of " +
-                                           std::to_string(tracer.rows().size()) + " directions done; --resume goes on from " +
-                                           checkpoint.string());
+                                           std::to_string(tracer.rows().size()) + " directions done, kept in " +
+                                           checkpoint.string() + ": " + how_to_go_on);
         progress.reach(reached());
     }
     if (!checkpoint.empty()) write_checkpoint(checkpoint, parameters, tracer);

@@ -15,7 +15,9 @@ namespace aureole::app {
 namespace {
 
 constexpr std::size_t progress_steps = 1000;
-constexpr double picture_error = 0.02;  // less cannot be seen
+// Less would not be seen; and light of dusk takes minutes for each scene.
+constexpr double picture_error = 0.02, light_error = 0.005;
+constexpr std::uint64_t light_max_paths = 16384;
 
 struct TruthOptions {
     std::string suite = "small";
@@ -50,7 +52,7 @@ void complete_rows(const Suite& suite, const SuiteAir& air, TruthKind kind, std:
     Tracer tracer(backend, air.parameters, rows, settings);
     const TraceParameters traced = parameters_of(air.parameters, settings, backend);
     if (std::filesystem::exists(checkpoint)) read_checkpoint(checkpoint, traced, tracer);
-    trace_all(tracer, traced, checkpoint);
+    trace_all(tracer, traced, checkpoint, "the same command goes on from it");
     double worst = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const TraceResult result = tracer.result(i);
@@ -82,12 +84,12 @@ public:
           parameters_(truth_parameters(air_)),
           table_(TruthTable::read(file_, parameters_, kind)) {}
 
-    /// `key`: where a scene's last value stands; `trace` puts all of a scene's into the table.
-    template <class Key, class Trace>
-    void complete(const std::vector<const SuiteScene*>& scenes, const Key& key, const Trace& trace) {
+    /// `keys`: where a scene's values stand; `trace` puts all of them into the table.
+    template <class Keys, class Trace>
+    void complete(const std::vector<const SuiteScene*>& scenes, const Keys& keys, const Trace& trace) {
         std::vector<const SuiteScene*> missing;
         for (const SuiteScene* scene : scenes)
-            if (!table_.find(key(*scene))) missing.push_back(scene);
+            if (!table_.missing(keys(*scene)).empty()) missing.push_back(scene);
         print_state(file_, missing.size(), scenes.size(), "scenes");
         if (missing.empty()) return;
         Progress progress(missing.size() * progress_steps, stderr, isatty(STDERR_FILENO) == 1);
@@ -118,7 +120,12 @@ void complete_aerial(const Suite& suite, std::size_t index, Backend& backend) {
     if (scenes.empty()) return;
     SceneByScene work(suite, index, TruthKind::aerial);
     work.complete(
-        scenes, [](const SuiteScene& scene) { return aerial_row(aerial_view(scene), aerial_pixels - 1); },
+        scenes,
+        [](const SuiteScene& scene) {
+            std::vector<ProbeRow> rows;
+            for (std::size_t i = 0; i < aerial_pixels; ++i) rows.push_back(aerial_row(aerial_view(scene), i));
+            return rows;
+        },
         [&](const SuiteScene& scene, const std::function<void(double)>& progress) {
             const AerialView view = aerial_view(scene);
             const AerialTruth truth = trace_aerial(backend, air.parameters, view, settings_of(suite, air), progress).value();
@@ -132,11 +139,17 @@ void complete_light(const Suite& suite, std::size_t index, Backend& backend) {
     std::vector<const SuiteScene*> scenes;
     for (const std::size_t i : suite.scenes_of(index)) scenes.push_back(&suite.scenes[i]);
     SceneByScene work(suite, index, TruthKind::light);
+    TraceSettings settings = settings_of(suite, air);
+    settings.error = std::max(settings.error, light_error);
+    settings.max_paths = std::min(settings.max_paths, light_max_paths);
     work.complete(
-        scenes, [](const SuiteScene& scene) { return light_row(scene, LightPart::sun); },
+        scenes,
+        [](const SuiteScene& scene) {
+            return std::vector{light_row(scene, LightPart::sky), light_row(scene, LightPart::sun)};
+        },
         [&](const SuiteScene& scene, const std::function<void(double)>& progress) {
             const LightPlace place{scene.sun_zenith_deg(), scene.altitude_km()};
-            const LightTruth truth = trace_light(backend, air.parameters, place, settings_of(suite, air), progress).value();
+            const LightTruth truth = trace_light(backend, air.parameters, place, settings, progress).value();
             const Estimated& sky = truth.sky_irradiance_up;
             work.table().set(light_row(scene, LightPart::sky), {{sky.radiance, sky.error}, truth.paths});
             work.table().set(light_row(scene, LightPart::sun), {{truth.sun_irradiance, Rgb(0)}, 0});

@@ -39,7 +39,7 @@ private:
 
 ErrorParts parts_of(const Place& place, const Looks& looks) {
     Errors rounding, discretisation, model;
-    for (std::size_t i = 0; i < place.truth.size(); ++i) {
+    for (std::size_t i = 0; i < place.points.size(); ++i) {
         const TrueValue& truth = place.truth[i];
         const Rgb &run = looks.run->points[i], &exact = looks.exact->points[i], &fine = looks.converged->points[i];
         rounding.add(part_of_error(run, exact, truth));
@@ -47,6 +47,15 @@ ErrorParts parts_of(const Place& place, const Looks& looks) {
         model.add(part_of_error(fine, truth.value, truth));
     }
     return {rounding.summary(), discretisation.summary(), model.summary()};
+}
+
+/// Of the two rows of a scan.
+double banding_of(const Place& place, const Seen& seen, const Seen& fine) {
+    const auto row = [](const Seen& of, std::size_t first, std::size_t count) {
+        return std::span(of.scan).subspan(first, count);
+    };
+    return std::max(banding(row(seen, 0, scan_up), row(fine, 0, scan_up), place.exposure),
+                    banding(row(seen, scan_up, scan_across), row(fine, scan_up, scan_across), place.exposure));
 }
 
 }  // namespace
@@ -66,9 +75,17 @@ std::vector<Place> places_of(const Suite& suite, std::size_t air, const AirTruth
         place.exposure = fixed_exposure(place.truth);
         if (scene.aerial) {
             place.aerial = aerial_view(scene);
-            for (std::size_t i = 0; i < aerial_pixels; ++i) place.truth.push_back(aerial.find(aerial_row(*place.aerial, i)));
+            const std::vector<double> distances = aerial_distances(planet, *place.aerial);
+            for (std::size_t i = 0; i < aerial_pixels; ++i) {
+                const TrueValue value = aerial.find(aerial_row(*place.aerial, i));
+                if (distances[i] < aerial_nearest_km) continue;
+                place.pixels.push_back(i);
+                place.truth.push_back(value);
+            }
         }
-        place.sky = light.find(light_row(scene, LightPart::sky));
+        // Above the air no sky lights a surface that faces up.
+        if (planet.bottom_radius_m + scene.altitude_m < planet.top_radius_m)
+            place.sky = light.find(light_row(scene, LightPart::sky));
         place.sun = light.find(light_row(scene, LightPart::sun));
     }
     return places;
@@ -102,7 +119,7 @@ std::vector<Seen> look(Backend& backend, const Prepared& prepared, const Suite& 
         seen.scan = take(place.scan.size());
         seen.light = light[result.size() - 1];
         if (place.aerial) {
-            seen.points.insert(seen.points.end(), picture->begin(), picture->end());
+            for (const std::size_t pixel : place.pixels) seen.points.push_back((*picture)[pixel]);
             ++picture;
         }
     }
@@ -114,22 +131,25 @@ SceneResult compare(const Place& place, const Looks& looks) {
     result.scene = place.scene;
     Errors all, colours;
     std::array<Errors, region_names.size()> regions;
+    const std::span truth = std::span(place.truth).first(place.points.size());
+    const std::span seen = std::span(looks.run->points).first(place.points.size());
     for (std::size_t i = 0; i < place.truth.size(); ++i) {
         const std::optional<double> error = relative_error(looks.run->points[i], place.truth[i]);
-        const Region region = i < place.points.size() ? place.points[i].region : Region::aerial;
+        const bool is_sky = i < truth.size();
+        regions[static_cast<std::size_t>(is_sky ? place.points[i].region : Region::aerial)].add(error);
+        if (!is_sky) continue;
         all.add(error);
-        regions[static_cast<std::size_t>(region)].add(error);
-        if (error) colours.add(shown_difference(looks.run->points[i], place.truth[i].value, place.exposure));
+        if (error) colours.add(shown_difference(seen[i], truth[i].value, place.exposure));
     }
     result.all = all.summary();
     std::ranges::transform(regions, result.regions.begin(), &Errors::summary);
-    result.luminance_rmse = luminance_rmse(looks.run->points, place.truth);
+    result.luminance_rmse = luminance_rmse(seen, truth);
     result.delta_e = colours.summary();
     result.sky_illuminance = luminance_error(looks.run->light.sky_irradiance_up, place.sky);
     result.sun_colour = relative_error(looks.run->light.sun_irradiance, place.sun);
     if (!looks.exact || !looks.converged) return result;
     result.parts = parts_of(place, looks);
-    if (!place.scan.empty()) result.banding = banding(looks.run->scan, looks.converged->scan, place.exposure);
+    if (!place.scan.empty()) result.banding = banding_of(place, *looks.run, *looks.converged);
     return result;
 }
 

@@ -16,8 +16,9 @@ namespace aureole::app {
 struct Place {
     std::size_t scene = 0;  ///< Index of Suite::scenes.
     std::vector<Point> points;
-    std::optional<AerialView> aerial;  ///< Its pixels follow the points.
-    std::vector<TrueValue> truth;      ///< Of the points, and of the pixels.
+    std::optional<AerialView> aerial;
+    std::vector<std::size_t> pixels;  ///< Of the aerial view: those with geometry at aerial_nearest_km or farther.
+    std::vector<TrueValue> truth;     ///< Of the points, and after them of the pixels.
     std::vector<ProbeRow> scan;
     TrueValue sun, sky;   ///< Irradiance: of the sun, of the sky on a horizontal surface.
     double exposure = 1;  ///< For colours as shown.
@@ -43,7 +44,7 @@ struct ErrorParts {
 };
 struct SceneResult {
     std::size_t scene = 0;  ///< Index of Suite::scenes.
-    ErrorSummary all;
+    ErrorSummary all;       ///< Of all directions; geometry is a region of its own, and in none of what follows either.
     std::array<ErrorSummary, region_names.size()> regions;
     std::optional<ErrorParts> parts;
     double luminance_rmse = 0;

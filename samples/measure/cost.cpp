@@ -1,10 +1,22 @@
 #include "measure/cost.h"
 
+#include <algorithm>
+
 namespace aureole::app {
 namespace {
 
+/// The composite is counted with so many times fewer pixels each way.
+constexpr std::uint32_t coarser = 8;
+
+rhi::CpuCounts times(rhi::CpuCounts counts, std::uint64_t factor) {
+    for (std::uint64_t* count : {&counts.evaluations, &counts.samples, &counts.fetches, &counts.stores, &counts.bytes})
+        *count *= factor;
+    return counts;
+}
+
 Cost cost_of(const PassCosts& passes) {
-    Cost cost{passes.per_frame, passes.rebuild, passes.pass("composite").milliseconds, {}, {}, passes.table_bytes};
+    Cost cost{passes.frame, passes.rebuild, passes.pass("composite").milliseconds, {}, {}, passes.table_bytes};
+    cost.per_frame = times(passes.pass("composite").counts, std::uint64_t{coarser} * coarser);
     for (std::size_t i = 0; i < passes.air_passes + passes.view_passes; ++i) {
         cost.rebuild += passes.passes[i].counts;
         if (i >= passes.air_passes) cost.per_frame += passes.passes[i].counts;
@@ -22,7 +34,9 @@ std::vector<Cost> costs(Backend& backend, std::span<const CostSubject> subjects,
     measured.height = options.height;
     measured.frames = options.rounds;
     measured.warm_up = options.warm_up;
-    measured.geometry = measured.composites = false;
+    measured.geometry = false;
+    measured.counted_width = std::max(options.width / coarser, 1U);
+    measured.counted_height = std::max(options.height / coarser, 1U);
     std::vector<Cost> found;
     for (const PassCosts& passes : pass_costs(
              backend, subjects, measured, after_round ? after_round : [] {}))

@@ -17,10 +17,12 @@ struct CostOptions {
 };
 
 struct Cost {
-    Spread per_frame_ms;            ///< Tables of the camera: what each frame needs that moves camera or sun.
-    Spread rebuild_ms;              ///< Tables of the air, and per_frame_ms.
-    Spread composite_ms;            ///< Sky alone, without geometry.
-    rhi::CpuCounts per_frame;       ///< Work of those passes; `bytes` is what they write.
+    Spread per_frame_ms;  ///< Of a frame that moves camera or sun: tables of the camera, and the composite of sky.
+    Spread rebuild_ms;    ///< Tables of the air and of the camera.
+    Spread composite_ms;  ///< Sky alone, without geometry: a part of per_frame_ms.
+    /// Work of those passes; `bytes` is what they write. The composite's is counted with an eighth of the pixels each way, and
+    /// multiplied (exact where width and height are multiples of eight, and every pixel costs the same).
+    rhi::CpuCounts per_frame;
     rhi::CpuCounts rebuild;         ///< Likewise.
     std::uint64_t table_bytes = 0;  ///< Device memory of the tables of the air and of one view.
 };

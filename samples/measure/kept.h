@@ -10,11 +10,14 @@
 
 namespace aureole::app {
 
-/// Of the program that runs: another build has another one.
-[[nodiscard]] inline std::string build_stamp() {
-    const std::filesystem::path program = std::filesystem::canonical("/proc/self/exe");
-    return std::to_string(std::filesystem::file_size(program)) + " bytes, " +
-           std::to_string(std::filesystem::last_write_time(program).time_since_epoch().count());
+/// Of the program that runs: another build has another one. As it was when this was first called.
+[[nodiscard]] inline const std::string& build_stamp() {
+    static const std::string stamp = [] {
+        const std::filesystem::path program = "/proc/self/exe";  // also where the file has been replaced meanwhile
+        return std::to_string(std::filesystem::file_size(program)) + " bytes, " +
+               std::to_string(std::filesystem::last_write_time(program).time_since_epoch().count());
+    }();
+    return stamp;
 }
 
 /// Of what has this id: letters, digits and hyphens stay.

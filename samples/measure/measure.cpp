@@ -37,7 +37,8 @@ public:
     AirMeasurement(const Suite& suite, std::size_t air, const MeasureOptions& options, Backend& run, Backend& exact)
         : suite_(suite), air_(suite.airs[air]), options_(options), run_(run), exact_(exact) {
         places_ = places_of(suite, air, read_truth(suite, air));
-        for (const Place& place : places_) scenes_ += suite.id(suite.scenes[place.scene]) + " ";
+        for (const Place& place : places_)
+            scenes_ += suite.id(suite.scenes[place.scene]) + " " + std::to_string(fingerprint(place.truth)) + " ";
     }
 
     /// An empty array if the setting is none for this air.

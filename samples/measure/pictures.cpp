@@ -50,6 +50,7 @@ struct Gallery {
     std::vector<ProbeRow> rows;  ///< Of all, one scene after the other.
     std::vector<Rgb> truth;
     std::vector<double> exposures;  ///< Of each scene.
+    std::string key;                ///< Names the scenes and their truth.
 };
 
 constexpr std::size_t picture_rows_count = std::size_t{half_width} * picture_height;
@@ -72,6 +73,7 @@ Gallery gallery_of(const Suite& suite, std::size_t air) {
         }
         gallery.scenes.push_back(i);
         gallery.exposures.push_back(fixed_exposure(truth));
+        gallery.key += suite.id(suite.scenes[i]) + " " + std::to_string(fingerprint(truth)) + " ";
     }
     return gallery;
 }
@@ -144,12 +146,10 @@ json measure_pictures(const Suite& suite, const MeasureOptions& options, Backend
         const SuiteAir& air = suite.airs[a];
         const Gallery gallery = gallery_of(suite, a);
         for (const json& picture : truth_pictures(suite, gallery)) all.push_back(picture);
-        std::string scenes;
-        for (const std::size_t i : gallery.scenes) scenes += suite.id(suite.scenes[i]) + " ";
         for (std::size_t s = 0; s < suite.settings.size(); ++s) {
             const SuiteSetting& setting = suite.settings[s];
             if (!gallery.scenes.empty() && is_for(setting, air)) {
-                const json key{{"scenes", scenes},
+                const json key{{"scenes", gallery.key},
                                {"setting", setting.id()},
                                {"air", print_parameters(truth_parameters(air))},
                                {"device", run.describe()},

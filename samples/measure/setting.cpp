@@ -131,8 +131,16 @@ bool is_for(const SuiteSetting& setting, const SuiteAir& air) {
 }
 
 SuiteSetting converged(const SuiteSetting& setting) {
+    const auto& [name, quality, spectral] = setting.model;
+    if (name == "fog" && quality == "low") return setting;  // one colour: as it is
     SuiteSetting result = setting;
     result.model.quality = "converged";
+    const auto leave = [&](std::string_view what) {
+        if (!without(result, what)) result.without.emplace_back(what);
+    };
+    // What these qualities leave out of the light is the model's, not the samples'.
+    if (name == "aureole" && quality == "low" && !without(setting, multiple)) leave(direction);
+    if (name == "hillaire" && quality != "high") leave(colour);
     std::erase_if(result.without, [](const std::string& what) { return what == samples || what == precision; });
     return result;
 }

@@ -34,8 +34,9 @@ struct Prepared {
 [[nodiscard]] std::optional<Prepared> prepare(const SuiteSetting& setting, const AtmosphereParameters& air);
 /// Whether it is measured in this air: in colours of its truth, with nothing left out that the air does not have.
 [[nodiscard]] bool is_for(const SuiteSetting& setting, const SuiteAir& air);
-/// The same as fine as the model gets, with the same left out of the light itself (not of samples and formats): what separates
-/// the two is discretisation.
+/// The same as fine as the model gets, with the same left out of the light itself (not of samples and formats), be it by
+/// `without` or by the quality (the grey air of hillaire, the mean of aureole low, fog of one colour): what separates the two
+/// is discretisation.
 [[nodiscard]] SuiteSetting converged(const SuiteSetting& setting);
 
 }  // namespace aureole::app

@@ -166,8 +166,13 @@ TEST_CASE("setting: what is left out is gone, and converged settings leave out t
     const SuiteSetting fine =
         converged({{"aureole", "low", "rgb"}, {"ozone", "half the samples", "ground light", "float tables"}});
     CHECK(fine.model.quality == "converged");
-    CHECK(fine.without == std::vector<std::string>{"ozone", "ground light"});
-    for (const std::string_view name : model_names()) CHECK_NOTHROW(check({{std::string(name), "converged", "rgb"}, {}}));
+    CHECK(fine.without == std::vector<std::string>{"ozone", "ground light", "its direction"});
+    CHECK(converged({{"hillaire", "default", "rgb"}, {}}).without == std::vector<std::string>{"coloured transmittance"});
+    CHECK(converged({{"hillaire", "high", "rgb"}, {}}).without.empty());
+    CHECK(converged({{"fog", "low", "rgb"}, {}}).model.quality == "low");
+    for (const std::string_view name : model_names())
+        for (const std::string_view quality : quality_names())
+            CHECK_NOTHROW(check(converged({{std::string(name), std::string(quality), "rgb"}, {}})));
 }
 
 TEST_CASE("setting: the model in red, green and blue is one without its wavelengths") {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 namespace aureole::app {
 namespace {
@@ -68,6 +69,11 @@ TruthTable TruthTable::read(const std::filesystem::path& path, const TraceParame
     compare(path, table.comments.empty() ? "" : table.comments.front(), comment(kind, parameters));
     for (std::size_t i = 0; i < table.rows(); ++i) {
         const auto at = [&](std::size_t column) { return table.columns[column][i]; };
+        for (const std::size_t column : {std::size_t{7}, std::size_t{8}, std::size_t{9}, std::size_t{10}})
+            if (!(at(column) >= 0 && at(column) <= 1e15))
+                throw Error(ErrorCode::invalid_argument,
+                            path.string() + ":" + std::to_string(table.lines[i]) + ": " + std::string(of(kind).columns[column]),
+                            print_number(at(column)), "in [0, 1e15]");
         result.entries_[{at(0), at(1), at(2), at(3)}] = {{{at(4), at(5), at(6)}, {at(7), at(8), at(9)}},
                                                          static_cast<std::uint64_t>(at(10))};
     }
@@ -106,6 +112,17 @@ AirTruth read_truth(const Suite& suite, std::size_t air) {
         return TruthTable::read(truth_file(suite, suite.airs[air], kind), parameters, kind);
     };
     return {table(TruthKind::sky), table(TruthKind::aerial), table(TruthKind::light)};
+}
+
+std::uint64_t fingerprint(std::span<const TrueValue> values) {
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (const TrueValue& value : values)
+        for (const Rgb& part : {value.value, value.error})
+            for (int c = 0; c < 3; ++c) {
+                const auto bits = std::bit_cast<std::uint64_t>(part[c]);
+                for (int shift = 0; shift < 64; shift += 8) hash = (hash ^ (bits >> shift & 0xff)) * 0x100000001b3;
+            }
+    return hash;
 }
 
 std::filesystem::path truth_file(const Suite& suite, const SuiteAir& air, TruthKind kind) {

@@ -55,6 +55,9 @@ struct AirTruth {
 };
 [[nodiscard]] AirTruth read_truth(const Suite& suite, std::size_t air);
 
+/// Another one for other values (FNV-1a of their bits): what was measured against them does not hold for others.
+[[nodiscard]] std::uint64_t fingerprint(std::span<const TrueValue> values);
+
 /// "truth/earth.csv", "truth/earth_aerial.csv", "truth/earth_light.csv" beside the suite.
 [[nodiscard]] std::filesystem::path truth_file(const Suite& suite, const SuiteAir& air, TruthKind kind);
 /// What an air's tables depend on.

@@ -61,10 +61,17 @@ Simplification compare(const Measurements& all, std::size_t setting, const Resul
     Simplification out{setting, *all.settings[setting].baseline, 0, {}, {}, {}};
     const Summary less = summarize(all, setting, only(with, whole)), more = summarize(all, out.baseline, only(whole, with));
     out.scenes = less.scenes;
-    if (less.regions.contains("all") && more.regions.contains("all")) {
-        out.added_median = difference(less.regions.at("all").median, more.regions.at("all").median);
-        out.added_p95 = difference(less.regions.at("all").p95, more.regions.at("all").p95);
-    }
+    // Scene by scene: the worst scene of both may be another than the one that loses most.
+    std::vector<double> medians, p95;
+    for (const MeasuredResult* one : only(with, whole))
+        for (const MeasuredResult* other : whole) {
+            if (other->scene != one->scene || !one->regions.contains("all") || !other->regions.contains("all")) continue;
+            const Spread &here = one->regions.at("all"), &there = other->regions.at("all");
+            if (const auto added = difference(here.median, there.median)) medians.push_back(*added);
+            if (const auto added = difference(here.p95, there.p95)) p95.push_back(*added);
+        }
+    if (!medians.empty()) out.added_median = median(medians);
+    if (!p95.empty()) out.added_p95 = *std::max_element(p95.begin(), p95.end());
     for (const auto& [key, cost] : more.costs)
         if (less.costs.contains(key)) out.costs[key] = {cost, less.costs.at(key)};
     return out;

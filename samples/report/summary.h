@@ -8,7 +8,9 @@ namespace aureole::app::report {
 /// How many scenes become one, in words for the reader of a table.
 inline constexpr std::string_view aggregation_note =
     "Over the scenes of a class: of a median, the median of the scenes' medians; of every other error, the worst scene's. "
-    "Costs are the median over the scenes, each with that of its air.";
+    "Costs are the median over the scenes, each with that of its air. What a simplification adds is found scene by scene: of "
+    "the "
+    "medians the median, of the 95th percentiles the greatest.";
 
 /// One setting over scenes: errors as aggregation_note says. What no scene has is missing.
 struct Summary {
@@ -22,7 +24,9 @@ struct Summary {
 /// What leaving something out costs and saves: a setting minus its baseline, over the scenes of a class that both have.
 struct Simplification {
     std::size_t setting = 0, baseline = 0, scenes = 0;
-    std::optional<double> added_median, added_p95;  ///< Of region `all`, fractions; negative: the error became smaller.
+    /// Of region `all`, fractions; negative: the error became smaller. Of the differences in each scene the median, and of
+    /// the 95th percentiles' the greatest.
+    std::optional<double> added_median, added_p95;
     /// What the baseline and the setting cost, by keys of cost_figures: those that both have.
     std::map<std::string, std::pair<double, double>> costs;
 };

@@ -45,8 +45,8 @@ using ModelPtr = std::shared_ptr<const Model>;
 [[nodiscard]] std::span<const std::string_view> model_names();
 /// What one of them is, in a line. Throws as model_by_name does.
 [[nodiscard]] std::string_view model_summary(std::string_view name);
-/// A model by its name, in one of quality_names(), or "converged". Throws Error(invalid_argument) naming the field ("model" or "quality") and
-/// what it may be.
+/// A model by its name, in one of quality_names(), or "converged". Throws Error(invalid_argument) naming the field ("model" or
+/// "quality") and what it may be.
 [[nodiscard]] ModelPtr model_by_name(std::string_view name, std::string_view quality = "default");
 
 }  // namespace aureole

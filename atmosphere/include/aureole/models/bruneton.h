@@ -51,9 +51,9 @@ struct BrunetonSettings {
     /// planet's radii are solved at once.
     int slices_per_frame = 0;
 
-    [[nodiscard]] static BrunetonSettings low();        ///< 16 x 64 x 24 x 8 nodes, combined where the air allows.
-    [[nodiscard]] static BrunetonSettings standard();   ///< "default": the author's sizes, in separate textures, our sampling.
-    [[nodiscard]] static BrunetonSettings high();       ///< Twice the nodes of mu_s, eight orders.
+    [[nodiscard]] static BrunetonSettings low();       ///< 16 x 64 x 24 x 8 nodes, combined where the air allows.
+    [[nodiscard]] static BrunetonSettings standard();  ///< "default": the author's sizes, in separate textures, our sampling.
+    [[nodiscard]] static BrunetonSettings high();      ///< Twice the nodes of mu_s, eight orders.
     /// As fine as memory and patience allow (1.6 GB, half a minute or more): for measuring, not for use.
     [[nodiscard]] static BrunetonSettings converged();
     [[nodiscard]] static BrunetonSettings published();  ///< As the author's demonstration: combined, half, his sampling.

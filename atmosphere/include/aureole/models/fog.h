@@ -28,7 +28,8 @@ struct FogSettings {
     /// Gauss nodes of the optical depth towards the sun, in [2, 16].
     int transmittance_nodes = 8;
 
-    /// "low": one colour. "default": in-scatter. "high", "converged": the same with 16 nodes. Anything else: Error(invalid_argument).
+    /// "low": one colour. "default": in-scatter. "high", "converged": the same with 16 nodes. Anything else:
+    /// Error(invalid_argument).
     [[nodiscard]] static FogSettings by_name(std::string_view quality);
 };
 

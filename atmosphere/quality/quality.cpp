@@ -101,17 +101,17 @@ QualitySettings QualitySettings::converged() {
     s.name = "converged";
     s.transmittance = {512, 128, 1};
     s.transmittance_nodes = 16;
-    s.multi_scatter = {64, 32, 1};
+    s.multi_scatter = {56, 24, 1};
     s.angular_order = 8;
     s.angular_order_as_needed = false;
     s.multi_scatter_zenith = s.multi_scatter_azimuth = 10;
     s.multi_scatter_nodes = 16;
     s.multi_scatter_later_nodes = 12;
     s.multi_scatter_orders = 6;
-    s.sky_view = {192, 768, 1};
+    s.sky_view = {80, 320, 1};
     s.sky_view_nodes = 16;
-    s.aerial_perspective = {64, 64, 128};
-    s.aerial_perspective_nodes = 4;
+    s.aerial_perspective = {32, 32, 96};
+    s.aerial_perspective_nodes = 2;
     s.froxel_format = rhi::Format::rgba32_float;
     return s;
 }

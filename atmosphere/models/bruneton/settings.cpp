@@ -63,8 +63,7 @@ BrunetonSettings BrunetonSettings::high() {
 BrunetonSettings BrunetonSettings::converged() {
     BrunetonSettings s = high();
     s.irradiance = {128, 32, 1};
-    s.nu_nodes = 16;
-    s.view_nodes = 192;
+    s.nu_nodes = 12;
     s.ray_nodes = s.transmittance_nodes = 12;
     s.format = rhi::Format::rgba32_float;
     return s;

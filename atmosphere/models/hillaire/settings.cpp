@@ -38,12 +38,12 @@ HillaireSettings HillaireSettings::high() {
 
 HillaireSettings HillaireSettings::converged() {
     HillaireSettings s = high();
-    s.transmittance = {1024, 256, 1};
-    s.transmittance_steps = 256;
-    s.multi_scatter = {96, 64, 1};
-    s.multi_scatter_steps = 256;
-    s.sky_view = {512, 512, 1};  // for the light table alone
-    s.sky_view_steps = 256;
+    s.transmittance = {512, 128, 1};
+    s.transmittance_steps = 128;
+    s.multi_scatter = {64, 48, 1};
+    s.multi_scatter_steps = 128;
+    s.sky_view = {128, 192, 1};  // for the light table alone
+    s.sky_view_steps = 64;
     s.march_steps = 256;
     s.table_format = s.froxel_format = rhi::Format::rgba32_float;
     return s;

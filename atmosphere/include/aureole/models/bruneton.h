@@ -54,7 +54,7 @@ struct BrunetonSettings {
     [[nodiscard]] static BrunetonSettings low();       ///< 16 x 64 x 24 x 8 nodes, combined where the air allows.
     [[nodiscard]] static BrunetonSettings standard();  ///< "default": the author's sizes, in separate textures, our sampling.
     [[nodiscard]] static BrunetonSettings high();      ///< Twice the nodes of mu_s, eight orders.
-    /// As fine as memory and patience allow (1.6 GB, half a minute or more): for measuring, not for use.
+    /// As fine as memory and patience allow (0.7 GB, half a minute or more): for measuring, not for use.
     [[nodiscard]] static BrunetonSettings converged();
     [[nodiscard]] static BrunetonSettings published();  ///< As the author's demonstration: combined, half, his sampling.
     /// "low", "default", "high", "converged" or "published"; anything else throws Error naming them.

@@ -42,7 +42,6 @@ struct ModelKernels {
     /// Number of a boolean constant of the composite's, true where the camera stands above the air; 0: it has none.
     std::uint32_t space_constant = 0;
     bool aerial_perspective = true;          ///< False: geometry is left as it is.
-    bool shadows = true;                     ///< Its light is single scattering of the air's terms, and more.
     std::vector<TripletKernels> triplets{};  ///< Run in turn and added up, in place of these kernels; none: these.
     /// Airs that shadows take light from, each at three wavelengths, whether or not the tables shown are sums; none: the view's
     /// own.

@@ -58,6 +58,13 @@ void check_view(const ViewSettings& settings) {
     validate(settings.shadows);
 }
 
+void check_shadows(const Atmosphere::Impl& air, const ViewSettings& settings) {
+    if (settings.shadows.cascades > 0 && !air.model->has_shadows())
+        throw Error(ErrorCode::unsupported, "view.shadows.cascades", std::to_string(settings.shadows.cascades),
+                    "0 with the model " + std::string(air.model->name()) +
+                        ", whose light is not made of single scattering and the rest");
+}
+
 bool same_block(const ViewBlock& a, const ViewBlock& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 /// The block without what the light does not depend on: where the camera looks, and how the picture is shown.
@@ -75,6 +82,7 @@ struct View::Impl final : detail::AirUser {
     Impl(Atmosphere::Impl& air_in, const ViewSettings& settings_in, const CompositeSettings& composite_in)
         : air(air_in), settings(settings_in), composite(composite_in) {
         detail::check_view(settings);
+        detail::check_shadows(air, settings);
         detail::validate(composite);
         detail::require_target(air.device, composite);
         tables = std::make_unique<detail::ViewTables>(*air.tables, settings, composite, shadow_map.texture);

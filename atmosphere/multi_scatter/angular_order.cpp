@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace aureole::detail {
 namespace {
 
 constexpr int degrees = 11;
 
-/// By degree l: the sum over terms of scattering optical depth times |p_l|, in the channel where it is greatest.
+}  // namespace
+
 std::vector<double> scattered_moments(const AtmosphereParameters& parameters) {
     std::vector<Rgb> sums(degrees, Rgb(0));
     for (const PhaseFunction& phase : distinct_phases(parameters.terms)) {
@@ -26,8 +26,6 @@ std::vector<double> scattered_moments(const AtmosphereParameters& parameters) {
     for (const Rgb& sum : sums) result.push_back(std::max({sum.r, sum.g, sum.b}));
     return result;
 }
-
-}  // namespace
 
 int angular_order_for(const AtmosphereParameters& parameters, int most) {
     const std::vector<double> moments = scattered_moments(parameters);

@@ -3,7 +3,13 @@
 
 #include <aureole/parameters.h>
 
+#include <vector>
+
 namespace aureole::detail {
+
+/// By degree l, from 0 to 10: the sum over terms of vertical scattering optical depth times |p_l|, in the channel where it is
+/// greatest.
+[[nodiscard]] std::vector<double> scattered_moments(const AtmosphereParameters& parameters);
 
 /// The least of 0, 2, 4 and 8 that is enough for this air, at most `most`: moments of a degree l matter as much as the air
 /// scatters by phase functions that have that degree, so what counts is the vertical optical depth of scattering times the

@@ -82,9 +82,6 @@ ShadowPass::ShadowPass(ViewResources& shared, const ModelKernels& kernels, const
                        rhi::Texture transmittance)
     : shared_(shared), settings_(settings) {
     if (!enabled()) return;
-    if (!kernels.shadows)
-        throw Error(ErrorCode::unsupported, "view.shadows.cascades", std::to_string(settings.cascades),
-                    "0 with this model, whose light is not made of single scattering and the rest");
     shader_ = transmittance ? &shaders::shadows : &shaders::shadows_by_quadrature;
     std::vector<TripletKernels> airs = kernels.shadow_triplets;
     if (airs.empty()) airs.push_back({&shared, &kernels, transmittance});

@@ -15,6 +15,8 @@ void add_score_command(CLI::App& program);
 void add_trace_command(CLI::App& program);
 void add_truth_command(CLI::App& program);
 void add_measure_command(CLI::App& program);
+void add_fit_command(CLI::App& program);
+void add_plan_command(CLI::App& program);
 void add_bench_command(CLI::App& program);
 void add_report_command(CLI::App& program);
 void add_devices_command(CLI::App& program);

@@ -58,6 +58,8 @@ int main(int argc, char** argv) {
     aureole::app::add_trace_command(program);
     aureole::app::add_truth_command(program);
     aureole::app::add_measure_command(program);
+    aureole::app::add_fit_command(program);
+    aureole::app::add_plan_command(program);
     aureole::app::add_bench_command(program);
     aureole::app::add_report_command(program);
     aureole::app::add_devices_command(program);

@@ -28,7 +28,7 @@ struct MeasureCommand {
 void keep_models(Suite& suite, const std::vector<std::string>& models) {
     if (models.empty()) return;
     std::erase_if(suite.settings,
-                  [&](const SuiteSetting& setting) { return std::ranges::find(models, setting.model.name) == models.end(); });
+                  [&](const Setting& setting) { return std::ranges::find(models, setting.model) == models.end(); });
     if (suite.settings.empty())
         throw Error(ErrorCode::invalid_argument, "--models", models.front(), "a model of which the suite has a setting");
 }

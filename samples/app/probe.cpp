@@ -4,8 +4,6 @@
 
 #include "io/csv.h"
 
-#include <aureole/atmosphere.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -91,6 +89,12 @@ std::vector<ProbeRow> read_probe_rows(const std::filesystem::path& path) {
 
 std::vector<Rgb> probe(Backend& backend, const AtmosphereParameters& parameters, const ModelPtr& model,
                        std::span<const ProbeRow> rows) {
+    for (std::size_t i = 0; i < rows.size(); ++i) check_row(rows[i], "row " + std::to_string(i + 1));
+    if (rows.empty()) return {};
+    return probe(backend, *solved(backend, parameters, model), rows);
+}
+
+std::vector<Rgb> probe(Backend& backend, Atmosphere& air, std::span<const ProbeRow> rows) {
     Groups groups;
     std::size_t largest = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -101,7 +105,6 @@ std::vector<Rgb> probe(Backend& backend, const AtmosphereParameters& parameters,
     }
     if (rows.empty()) return {};
 
-    Atmosphere air(backend.device(), parameters, model);
     ViewSettings settings;
     settings.aerial_perspective = settings.light = false;
     CompositeSettings composite;
@@ -110,9 +113,7 @@ std::vector<Rgb> probe(Backend& backend, const AtmosphereParameters& parameters,
     View view(air, settings, composite);
     ProbeTarget target(backend, view, largest);
 
-    std::vector<PassTime> times;
-    solve(backend, air, times);
-    const double radius = parameters.planet.bottom_radius_m;
+    const double radius = air.parameters().planet.bottom_radius_m;
     std::vector<Rgb> radiance(rows.size());
     for (const auto& [place, group] : groups) {
         Sun sun;

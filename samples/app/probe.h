@@ -3,8 +3,7 @@
 
 #include "app/backend.h"
 
-#include <aureole/model.h>
-#include <aureole/parameters.h>
+#include <aureole/atmosphere.h>
 
 #include <filesystem>
 #include <span>
@@ -34,6 +33,8 @@ void check_row(const ProbeRow& row, const std::string& place);
 /// it. Rows of the same sun and altitude share one update of the view. Throws Error(invalid_argument) naming the row (from 1).
 [[nodiscard]] std::vector<Rgb> probe(Backend& backend, const AtmosphereParameters& parameters, const ModelPtr& model,
                                      std::span<const ProbeRow> rows);
+/// The same of an atmosphere whose tables have been recorded (solution.h).
+[[nodiscard]] std::vector<Rgb> probe(Backend& backend, Atmosphere& air, std::span<const ProbeRow> rows);
 
 /// As a CSV file, with a comment line.
 [[nodiscard]] std::string print_rows(const std::string& comment, std::span<const ProbeRow> rows, std::span<const Rgb> radiance);

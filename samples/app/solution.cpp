@@ -32,4 +32,11 @@ void solve(Backend& backend, Atmosphere& air, std::vector<PassTime>& times) {
     if (long_work) air.set_multi_scatter_passes_per_frame(0);
 }
 
+std::unique_ptr<Atmosphere> solved(Backend& backend, const AtmosphereParameters& parameters, const ModelPtr& model) {
+    auto air = std::make_unique<Atmosphere>(backend.device(), parameters, model);
+    std::vector<PassTime> times;
+    solve(backend, *air, times);
+    return air;
+}
+
 }  // namespace aureole::app

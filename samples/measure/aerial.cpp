@@ -5,7 +5,6 @@
 #include "measure/sampling.h"
 #include "terrain/pixel_rays.h"
 
-#include <aureole/atmosphere.h>
 #include <aureole/models/reference.h>
 
 #include <algorithm>
@@ -24,6 +23,12 @@ constexpr double most_of_the_way = 0.9;
 
 void check_view(const AerialView& view, const std::string& place) {
     check_row({view.sun_zenith_deg, view.altitude_km, 90, view.azimuth_deg}, place);
+}
+
+std::string name_of_view(std::size_t i) { return "view " + std::to_string(i + 1); }
+
+void check_views(std::span<const AerialView> views) {
+    for (std::size_t i = 0; i < views.size(); ++i) check_view(views[i], name_of_view(i));
 }
 
 Camera camera_of(const Planet& planet, const AerialView& view) {
@@ -123,14 +128,12 @@ CompositeSettings composite_settings() {
     return settings;
 }
 
-/// A model that looks at geometry.
+/// Looks at geometry through air whose tables have been recorded.
 class AerialEye {
 public:
-    AerialEye(Backend& backend, const AtmosphereParameters& parameters, const ModelPtr& model, const AerialTarget& target)
-        : backend_(backend), air_(backend.device(), parameters, model), view_(air_, view_settings(), composite_settings()) {
+    AerialEye(Backend& backend, Atmosphere& air, const AerialTarget& target)
+        : backend_(backend), air_(air), view_(air_, view_settings(), composite_settings()) {
         view_.prepare_composite(target.targets());
-        std::vector<PassTime> times;
-        solve(backend, air_, times);
     }
 
     /// One composite of what the target shows.
@@ -148,7 +151,7 @@ public:
 
 private:
     Backend& backend_;
-    Atmosphere air_;
+    Atmosphere& air_;
     View view_;
 };
 
@@ -175,7 +178,7 @@ public:
         for (const std::size_t pixel : wanted) values[pixel] = Rgb(0);
         for (std::size_t air = 0; air < eyes_.size(); ++air) {
             if (stop && stop()) return false;
-            const std::vector<Rgb> seen = eyes_[air]->see(target_, view_, round % seed_rounds);
+            const std::vector<Rgb> seen = eyes_[air]->eye.see(target_, view_, round % seed_rounds);
             for (const std::size_t pixel : wanted) values[pixel] += colours_.part(air, seen[pixel]);
         }
         for (const std::size_t pixel : wanted) check_finite(values[pixel], "the view", pixel);
@@ -183,6 +186,13 @@ public:
     }
 
 private:
+    struct Traced {
+        Traced(Backend& backend, const AtmosphereParameters& parameters, const ModelPtr& model, const AerialTarget& target)
+            : air(solved(backend, parameters, model)), eye(backend, *air, target) {}
+        std::unique_ptr<Atmosphere> air;
+        AerialEye eye;
+    };
+
     void prepare(int seed) {
         if (seed == seed_) return;
         models::ReferenceSettings settings;
@@ -190,7 +200,7 @@ private:
         settings.seed = seed;
         eyes_.clear();
         for (const AtmosphereParameters& air : colours_.airs())
-            eyes_.push_back(std::make_unique<AerialEye>(backend_, air, models::reference(settings), target_));
+            eyes_.push_back(std::make_unique<Traced>(backend_, air, models::reference(settings), target_));
         seed_ = seed;
     }
 
@@ -199,7 +209,7 @@ private:
     TraceSettings settings_;
     TraceColours colours_;
     AerialTarget target_;
-    std::vector<std::unique_ptr<AerialEye>> eyes_;
+    std::vector<std::unique_ptr<Traced>> eyes_;
     int seed_ = -1;
 };
 
@@ -222,16 +232,21 @@ std::vector<double> aerial_distances(const Planet& planet, const AerialView& vie
 
 std::vector<std::vector<Rgb>> aerial(Backend& backend, const AtmosphereParameters& parameters, const ModelPtr& model,
                                      std::span<const AerialView> views) {
-    const auto place = [](std::size_t i) { return "view " + std::to_string(i + 1); };
-    for (std::size_t i = 0; i < views.size(); ++i) check_view(views[i], place(i));
+    check_views(views);
+    if (views.empty()) return {};
+    return aerial(backend, *solved(backend, parameters, model), views);
+}
+
+std::vector<std::vector<Rgb>> aerial(Backend& backend, Atmosphere& air, std::span<const AerialView> views) {
+    check_views(views);
     if (views.empty()) return {};
     AerialTarget target(backend, false);
-    AerialEye eye(backend, parameters, model, target);
+    AerialEye eye(backend, air, target);
     std::vector<std::vector<Rgb>> pictures;
     for (std::size_t i = 0; i < views.size(); ++i) {
-        target.show(parameters.planet, views[i]);
+        target.show(air.parameters().planet, views[i]);
         const std::vector<Rgb>& picture = pictures.emplace_back(eye.see(target, views[i]));
-        for (std::size_t pixel = 0; pixel < picture.size(); ++pixel) check_finite(picture[pixel], place(i), pixel);
+        for (std::size_t pixel = 0; pixel < picture.size(); ++pixel) check_finite(picture[pixel], name_of_view(i), pixel);
     }
     backend.check();
     return pictures;

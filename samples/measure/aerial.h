@@ -4,8 +4,7 @@
 #include "app/backend.h"
 #include "app/trace.h"
 
-#include <aureole/model.h>
-#include <aureole/parameters.h>
+#include <aureole/atmosphere.h>
 
 #include <cstdint>
 #include <functional>
@@ -39,6 +38,8 @@ struct AerialView {
 /// finite.
 [[nodiscard]] std::vector<std::vector<Rgb>> aerial(Backend& backend, const AtmosphereParameters& parameters,
                                                    const ModelPtr& model, std::span<const AerialView> views);
+/// The same of an atmosphere whose tables have been recorded (app/solution.h).
+[[nodiscard]] std::vector<std::vector<Rgb>> aerial(Backend& backend, Atmosphere& air, std::span<const AerialView> views);
 
 struct AerialTruth {
     std::vector<Estimated> pixels;     ///< As `aerial` gives them.

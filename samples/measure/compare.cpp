@@ -1,5 +1,7 @@
 #include "measure/compare.h"
 
+#include "app/solution.h"
+
 #include <aureole/rhi/error.h>
 
 #include <algorithm>
@@ -102,9 +104,10 @@ std::vector<Seen> look(Backend& backend, const Prepared& prepared, const Suite& 
         const SuiteScene& scene = suite.scenes[place.scene];
         lights.push_back({scene.sun_zenith_deg(), scene.altitude_km()});
     }
-    const std::vector<Rgb> radiance = probe(backend, prepared.air, prepared.model, rows);
-    const std::vector<std::vector<Rgb>> pictures = aerial(backend, prepared.air, prepared.model, views);
-    const std::vector<MeasuredLight> light = app::light(backend, prepared.air, prepared.model, lights);
+    const std::unique_ptr<Atmosphere> air = solved(backend, prepared.air, prepared.model);
+    const std::vector<Rgb> radiance = probe(backend, *air, rows);
+    const std::vector<std::vector<Rgb>> pictures = aerial(backend, *air, views);
+    const std::vector<MeasuredLight> light = app::light(backend, *air, lights);
     std::vector<Seen> result;
     auto next = radiance.begin();
     auto picture = pictures.begin();

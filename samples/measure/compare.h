@@ -3,7 +3,6 @@
 
 #include "measure/light.h"
 #include "measure/points.h"
-#include "measure/setting.h"
 #include "measure/truth.h"
 
 #include <optional>
@@ -39,7 +38,7 @@ struct Seen {
 /// Parts of an error: none is greater than their sum.
 struct ErrorParts {
     ErrorSummary rounding;        ///< As it runs, against the same in double with nothing rounded.
-    ErrorSummary discretisation;  ///< That, against the same model as fine as it gets.
+    ErrorSummary discretisation;  ///< That, against the same model as fine as it gets, in float at least.
     ErrorSummary model;           ///< That, against the truth.
 };
 struct SceneResult {
@@ -54,7 +53,7 @@ struct SceneResult {
     std::optional<double> banding;          ///< CIEDE2000; with parts, from within the air.
 };
 
-/// The same place seen thrice: as it runs; in double; in double, as fine as the model gets. The latter two, or none.
+/// The same place seen thrice: as it runs; in double; in float or double, as fine as the model gets. The latter two, or none.
 struct Looks {
     const Seen* run;
     const Seen* exact = nullptr;

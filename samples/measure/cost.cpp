@@ -15,7 +15,19 @@ rhi::CpuCounts times(rhi::CpuCounts counts, std::uint64_t factor) {
 }
 
 Cost cost_of(const PassCosts& passes) {
-    Cost cost{passes.frame, passes.rebuild, passes.pass("composite").milliseconds, {}, {}, passes.table_bytes};
+    const auto time_of = [&](std::string_view name) {
+        const auto pass = std::ranges::find(passes.passes, name, &PassCost::name);
+        return pass == passes.passes.end() ? Spread() : pass->milliseconds;
+    };
+    Cost cost{passes.frame,
+              passes.rebuild,
+              time_of("composite"),
+              time_of("composite_geometry"),
+              time_of("aerial_perspective"),
+              time_of("light"),
+              {},
+              {},
+              passes.table_bytes};
     cost.per_frame = times(passes.pass("composite").counts, std::uint64_t{coarser} * coarser);
     for (std::size_t i = 0; i < passes.air_passes + passes.view_passes; ++i) {
         cost.rebuild += passes.passes[i].counts;
@@ -34,7 +46,6 @@ std::vector<Cost> costs(Backend& backend, std::span<const CostSubject> subjects,
     measured.height = options.height;
     measured.frames = options.rounds;
     measured.warm_up = options.warm_up;
-    measured.geometry = false;
     measured.counted_width = std::max(options.width / coarser, 1U);
     measured.counted_height = std::max(options.height / coarser, 1U);
     std::vector<Cost> found;

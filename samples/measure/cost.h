@@ -17,9 +17,12 @@ struct CostOptions {
 };
 
 struct Cost {
-    Spread per_frame_ms;  ///< Of a frame that moves camera or sun: tables of the camera, and the composite of sky.
-    Spread rebuild_ms;    ///< Tables of the air and of the camera.
-    Spread composite_ms;  ///< Sky alone, without geometry: a part of per_frame_ms.
+    Spread per_frame_ms;           ///< Of a frame that moves camera or sun: tables of the camera, and the composite of sky.
+    Spread rebuild_ms;             ///< Tables of the air and of the camera.
+    Spread composite_ms;           ///< Sky alone, without geometry: a part of per_frame_ms.
+    Spread composite_geometry_ms;  ///< The same over a host's colour and depth; no part of it.
+    Spread aerial_perspective_ms;  ///< Froxels: a part of per_frame_ms; 0 of models that keep none.
+    Spread light_ms;               ///< Light for a host's materials: a part of per_frame_ms.
     /// Work of those passes; `bytes` is what they write. The composite's is counted with an eighth of the pixels each way, and
     /// multiplied (exact where width and height are multiples of eight, and every pixel costs the same).
     rhi::CpuCounts per_frame;

@@ -4,7 +4,6 @@
 #include "app/trace_eyes.h"
 #include "measure/sampling.h"
 
-#include <aureole/atmosphere.h>
 #include <aureole/light.h>
 #include <aureole/models/reference.h>
 
@@ -24,14 +23,15 @@ ViewSettings view_settings() {
     return settings;
 }
 
-/// A model whose light is read.
+void check_places(std::span<const LightPlace> places) {
+    for (std::size_t i = 0; i < places.size(); ++i) check_place(places[i], "place " + std::to_string(i + 1));
+}
+
+/// Reads the light of air whose tables have been recorded.
 class LightEye {
 public:
-    LightEye(Backend& backend, const AtmosphereParameters& parameters, const ModelPtr& model)
-        : backend_(backend), textures_(backend), air_(backend.device(), parameters, model), view_(air_, view_settings()) {
-        std::vector<PassTime> times;
-        solve(backend, air_, times);
-    }
+    LightEye(Backend& backend, Atmosphere& air)
+        : backend_(backend), textures_(backend), air_(air), view_(air_, view_settings()) {}
 
     [[nodiscard]] MeasuredLight see(const LightPlace& place) {
         Sun sun;
@@ -46,7 +46,7 @@ public:
 private:
     Backend& backend_;
     DeviceTextures textures_;  // none of its own: it reads the view's
-    Atmosphere air_;
+    Atmosphere& air_;
     View view_;
 };
 
@@ -54,9 +54,15 @@ private:
 
 std::vector<MeasuredLight> light(Backend& backend, const AtmosphereParameters& parameters, const ModelPtr& model,
                                  std::span<const LightPlace> places) {
-    for (std::size_t i = 0; i < places.size(); ++i) check_place(places[i], "place " + std::to_string(i + 1));
+    check_places(places);
     if (places.empty()) return {};
-    LightEye eye(backend, parameters, model);
+    return light(backend, *solved(backend, parameters, model), places);
+}
+
+std::vector<MeasuredLight> light(Backend& backend, Atmosphere& air, std::span<const LightPlace> places) {
+    check_places(places);
+    if (places.empty()) return {};
+    LightEye eye(backend, air);
     std::vector<MeasuredLight> measured;
     for (const LightPlace& place : places) measured.push_back(eye.see(place));
     backend.check();
@@ -79,7 +85,8 @@ std::optional<LightTruth> trace_light(Backend& backend, const AtmosphereParamete
         values[0] = truth.sun_irradiance = Rgb(0);
         for (std::size_t air = 0; air < colours.airs().size(); ++air) {
             if (stop && stop()) return false;
-            const MeasuredLight seen = LightEye(backend, colours.airs()[air], models::reference(reference)).see(place);
+            const auto traced = solved(backend, colours.airs()[air], models::reference(reference));
+            const MeasuredLight seen = LightEye(backend, *traced).see(place);
             values[0] += colours.part(air, seen.sky_irradiance_up);
             truth.sun_irradiance += colours.part(air, seen.sun_irradiance);
         }

@@ -4,8 +4,7 @@
 #include "app/backend.h"
 #include "app/trace.h"
 
-#include <aureole/model.h>
-#include <aureole/parameters.h>
+#include <aureole/atmosphere.h>
 
 #include <cstdint>
 #include <functional>
@@ -32,6 +31,8 @@ inline constexpr int light_round_paths = 16;
 /// By LightTable at each place; every model has light. Throws Error(invalid_argument) naming the place (from 1).
 [[nodiscard]] std::vector<MeasuredLight> light(Backend& backend, const AtmosphereParameters& parameters, const ModelPtr& model,
                                                std::span<const LightPlace> places);
+/// The same of an atmosphere whose tables have been recorded (app/solution.h).
+[[nodiscard]] std::vector<MeasuredLight> light(Backend& backend, Atmosphere& air, std::span<const LightPlace> places);
 
 struct LightTruth {
     Rgb sun_irradiance{0};        ///< By quadrature: without a standard error.

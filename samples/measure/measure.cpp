@@ -1,6 +1,7 @@
 #include "measure/measure.h"
 
 #include "measure/kept.h"
+#include "plan/situation.h"
 
 #include <map>
 
@@ -13,7 +14,7 @@ json to_json(const ErrorSummary& e) {
     return e.rows == 0 ? json{{"rows", 0}} : json{{"rows", e.rows}, {"median", e.median}, {"p95", e.p95}, {"max", e.worst}};
 }
 
-json to_json(const Suite& suite, const SuiteSetting& setting, const SceneResult& result) {
+json to_json(const Suite& suite, const Setting& setting, const SceneResult& result) {
     json out{{"scene", suite.id(suite.scenes[result.scene])},
              {"setting", setting.id()},
              {"regions", {{"all", to_json(result.all)}}},
@@ -31,25 +32,36 @@ json to_json(const Suite& suite, const SuiteSetting& setting, const SceneResult&
     return out;
 }
 
+/// Else tables that ask for floats may be half floats.
+bool filters_floats(Backend& backend) {
+    return backend.device().format_support(rhi::Format::rgba32_float, rhi::Dimension::d2).linear_filter &&
+           backend.device().format_support(rhi::Format::rgba32_float, rhi::Dimension::d3).linear_filter;
+}
+
 /// Settings of one air.
 class AirMeasurement {
 public:
     AirMeasurement(const Suite& suite, std::size_t air, const MeasureOptions& options, Backend& run, Backend& exact)
-        : suite_(suite), air_(suite.airs[air]), options_(options), run_(run), exact_(exact) {
+        : suite_(suite),
+          air_(suite.airs[air]),
+          options_(options),
+          run_(run),
+          exact_(exact),
+          fine_(filters_floats(run) ? run : exact) {
         places_ = places_of(suite, air, read_truth(suite, air));
         for (const Place& place : places_)
             scenes_ += suite.id(suite.scenes[place.scene]) + " " + std::to_string(fingerprint(place.truth)) + " ";
     }
 
     /// An empty array if the setting is none for this air.
-    json item(const SuiteSetting& setting) {
+    json item(const Setting& setting) {
         if (!is_for(setting, air_)) return json::array();
         const std::filesystem::path file = options_.out / "items" / air_.name / file_name(setting.id());
         return kept_or(file, key_of(setting), [&] { return measured(setting); });
     }
 
 private:
-    [[nodiscard]] json key_of(const SuiteSetting& setting) const {
+    [[nodiscard]] json key_of(const Setting& setting) const {
         return {{"air", print_parameters(truth_parameters(air_))},
                 {"scenes", scenes_},
                 {"setting", setting.id()},
@@ -57,11 +69,10 @@ private:
                 {"parts", options_.parts},
                 {"build", build_stamp()}};
     }
-    json measured(const SuiteSetting& setting) {
+    json measured(const Setting& setting) {
         const Prepared prepared = prepare(setting, air_.parameters).value();
         const std::vector<Seen> run = look(run_, prepared, suite_, places_);
-        // The error of reference is noise; bruneton in double, let alone converged, takes many minutes an air.
-        const bool parts = options_.parts && setting.model.name != "reference" && setting.model.name != "bruneton";
+        const bool parts = options_.parts && setting.model != "reference";  // whose error is noise
         const std::vector<Seen> exact = parts ? look(exact_, prepared, suite_, places_) : std::vector<Seen>();
         const std::vector<Seen>* fine = parts ? &converged_look(setting) : nullptr;
         json results = json::array();
@@ -73,10 +84,10 @@ private:
         return results;
     }
 
-    const std::vector<Seen>& converged_look(const SuiteSetting& setting) {
-        const SuiteSetting fine = converged(setting);
+    const std::vector<Seen>& converged_look(const Setting& setting) {
+        const Setting fine = converged(setting);
         const auto [at, is_new] = converged_.try_emplace(fine.id());
-        if (is_new) at->second = look(exact_, prepare(fine, air_.parameters).value(), suite_, places_);
+        if (is_new) at->second = look(fine_, prepare(fine, air_.parameters).value(), suite_, places_);
         return at->second;
     }
 
@@ -84,6 +95,7 @@ private:
     const SuiteAir& air_;
     const MeasureOptions& options_;
     Backend &run_, &exact_;
+    Backend& fine_;  // for what is converged: rounded to float it is as good, and on a GPU many times faster
     std::vector<Place> places_;
     std::string scenes_;
     std::map<std::string, std::vector<Seen>> converged_;
@@ -91,8 +103,12 @@ private:
 
 json scenes_json(const Suite& suite) {
     json out = json::array();
+    std::vector<detail::AirCoordinates> airs;
+    for (const SuiteAir& air : suite.airs) airs.emplace_back(air.parameters);
     for (const SuiteScene& scene : suite.scenes)
         out.push_back({{"id", suite.id(scene)},
+                       {"situation", airs[scene.air].at(scene.sun_elevation_deg, scene.altitude_m)},
+                       {"spectral", suite.airs[scene.air].spectral},
                        {"class", scene.scene_class},
                        {"air", suite.airs[scene.air].name},
                        {"sun_elevation_deg", scene.sun_elevation_deg},
@@ -102,11 +118,11 @@ json scenes_json(const Suite& suite) {
 
 json settings_json(const Suite& suite) {
     json out = json::array();
-    for (const SuiteSetting& setting : suite.settings)
+    for (const Setting& setting : suite.settings)
         out.push_back({{"id", setting.id()},
-                       {"model", setting.model.name},
-                       {"quality", setting.model.quality},
-                       {"spectral", setting.model.spectral},
+                       {"model", setting.model},
+                       {"quality", setting.quality},
+                       {"spectral", setting.spectral},
                        {"without", setting.without},
                        {"baseline", setting.baseline()}});
     return out;
@@ -121,7 +137,7 @@ json measure(const Suite& suite, const MeasureOptions& options, Backend& run, Ba
     std::size_t done = 0;
     for (std::size_t air = 0; air < suite.airs.size(); ++air) {
         AirMeasurement of_air(suite, air, options, run, exact);
-        for (const SuiteSetting& setting : suite.settings) {
+        for (const Setting& setting : suite.settings) {
             for (json& result : of_air.item(setting)) results.push_back(std::move(result));
             after_item(++done, items);
         }

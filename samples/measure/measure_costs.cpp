@@ -20,6 +20,9 @@ json to_json(const std::string& air, const std::string& setting, const Cost& cos
             {"per_frame_ms", to_json(cost.per_frame_ms)},
             {"rebuild_ms", to_json(cost.rebuild_ms)},
             {"composite_ms", to_json(cost.composite_ms)},
+            {"composite_geometry_ms", to_json(cost.composite_geometry_ms)},
+            {"aerial_perspective_ms", to_json(cost.aerial_perspective_ms)},
+            {"light_ms", to_json(cost.light_ms)},
             {"bytes", cost.table_bytes},
             {"per_frame", to_json(cost.per_frame)},
             {"rebuild", to_json(cost.rebuild)}};
@@ -28,8 +31,8 @@ json to_json(const std::string& air, const std::string& setting, const Cost& cos
 /// What is measured in one air: all at once, so that what else the machine does hits all alike.
 std::vector<CostSubject> subjects_of(const Suite& suite, const SuiteAir& air) {
     std::vector<CostSubject> subjects;
-    for (const SuiteSetting& setting : suite.settings) {
-        if (setting.model.name == "reference" || !is_for(setting, air)) continue;
+    for (const Setting& setting : suite.settings) {
+        if (setting.model == "reference" || !is_for(setting, air)) continue;
         Prepared prepared = prepare(setting, air.parameters).value();
         subjects.push_back({setting.id(), std::move(prepared.air), std::move(prepared.model)});
     }

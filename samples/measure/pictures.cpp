@@ -91,7 +91,7 @@ json truth_pictures(const Suite& suite, const Gallery& gallery) {
     return pictures;
 }
 
-json pictures_of(const Suite& suite, const SuiteSetting& setting, const Gallery& gallery, std::span<const Rgb> seen) {
+json pictures_of(const Suite& suite, const Setting& setting, const Gallery& gallery, std::span<const Rgb> seen) {
     json pictures = json::array();
     for (std::size_t k = 0; k < gallery.scenes.size(); ++k) {
         const std::span truth = std::span(gallery.truth).subspan(k * picture_rows_count, picture_rows_count);
@@ -147,7 +147,7 @@ json measure_pictures(const Suite& suite, const MeasureOptions& options, Backend
         const Gallery gallery = gallery_of(suite, a);
         for (const json& picture : truth_pictures(suite, gallery)) all.push_back(picture);
         for (std::size_t s = 0; s < suite.settings.size(); ++s) {
-            const SuiteSetting& setting = suite.settings[s];
+            const Setting& setting = suite.settings[s];
             if (!gallery.scenes.empty() && is_for(setting, air)) {
                 const json key{{"scenes", gallery.key},
                                {"setting", setting.id()},

@@ -1,7 +1,7 @@
 #include "measure/suite.h"
 
 #include "io/csv.h"
-#include "measure/setting.h"
+#include "scene/scene.h"
 #include "scene/scene_atmosphere.h"
 #include "scene/section.h"
 
@@ -65,9 +65,9 @@ void read_settings(Section section, Suite& suite) {
     const std::vector<std::string> without = section.texts("without").value_or(std::vector<std::string>{});
     for (const std::string& model : models)
         for (const std::string& quality : qualities) {
-            suite.settings.push_back({{model, quality, spectral}, without});
+            suite.settings.push_back({model, quality, spectral, without});
             try {
-                check(suite.settings.back());
+                validate(suite.settings.back());
             } catch (const Error& error) {
                 section.reject(section.has(error.field()) ? error.field() : "", error.value(), error.allowed());
             }
@@ -79,12 +79,12 @@ void check_whole(const Suite& suite, Section& root) {
     std::set<std::string> seen;
     for (const SuiteScene& scene : suite.scenes)
         if (!seen.insert(suite.id(scene)).second) root.reject("scenes", suite.id(scene) + " twice", "each once");
-    for (const SuiteSetting& setting : suite.settings)
+    for (const Setting& setting : suite.settings)
         if (!seen.insert(setting.id()).second) root.reject("setting", setting.id() + " twice", "each once");
     for (std::size_t i = 0; i < suite.airs.size(); ++i)
         if (suite.scenes_of(i).empty())
             root.reject("air", suite.airs[i].name + ", which no [[scenes]] has", "an air of a scene");
-    for (const SuiteSetting& setting : suite.settings)
+    for (const Setting& setting : suite.settings)
         if (!setting.baseline().empty() && !seen.contains(setting.baseline()))
             root.reject("setting", setting.id() + " without its baseline", "beside a setting " + setting.baseline());
     if (suite.scenes.size() * suite.settings.size() > most_items)
@@ -116,13 +116,9 @@ Suite read_root(Section root, const std::filesystem::path& path) {
 
 }  // namespace
 
-std::string SuiteSetting::id() const {
-    std::string text = model.name + " " + model.quality + (model.in_rgb() ? "" : " " + model.spectral);
-    for (std::size_t i = 0; i < without.size(); ++i) text += (i == 0 ? ", without " : " and ") + without[i];
-    return text;
+bool is_for(const Setting& setting, const SuiteAir& air) {
+    return setting.in_rgb() == (air.spectral == "rgb") && prepare(setting, air.parameters).has_value();
 }
-
-std::string SuiteSetting::baseline() const { return without.empty() ? "" : SuiteSetting{model, {}}.id(); }
 
 std::string Suite::id(const SuiteScene& scene) const {
     const std::string altitude =

@@ -2,9 +2,7 @@
 // (docs/measure.md).
 #pragma once
 
-#include "scene/scene.h"
-
-#include <aureole/parameters.h>
+#include <aureole/setting.h>
 
 #include <filesystem>
 #include <string>
@@ -33,18 +31,6 @@ struct SuiteScene {
     [[nodiscard]] double altitude_km() const { return altitude_m / 1000; }
 };
 
-/// A model with its settings, and what is left out of it.
-struct SuiteSetting {
-    SceneModel model;
-    /// Each a term of the air by its name, or one of simplification_names() (setting.h).
-    std::vector<std::string> without;
-
-    /// "aureole default", "aureole default 4", "aureole default, without ozone"
-    [[nodiscard]] std::string id() const;
-    /// The id of the same with nothing left out; empty for one of which nothing is.
-    [[nodiscard]] std::string baseline() const;
-};
-
 struct Suite {
     std::string name;  ///< Of the file, without its extension.
     std::string title;
@@ -53,13 +39,16 @@ struct Suite {
     std::filesystem::path truth_folder;  ///< Beside the suite: "truth".
     std::vector<SuiteAir> airs;
     std::vector<SuiteScene> scenes;
-    std::vector<SuiteSetting> settings;
+    std::vector<Setting> settings;
 
     /// "earth/sun30/2m"
     [[nodiscard]] std::string id(const SuiteScene& scene) const;
     /// Indices of the scenes with this air.
     [[nodiscard]] std::vector<std::size_t> scenes_of(std::size_t air) const;
 };
+
+/// Whether a setting is measured in this air: in colours of its truth, with nothing left out that the air does not have.
+[[nodiscard]] bool is_for(const Setting& setting, const SuiteAir& air);
 
 /// Reads a suite file; the truth is in a folder beside it. Throws Error: io; invalid_argument with file, line, key, value and
 /// allowed range; also for keys that do not exist, scenes or settings that occur twice, and airs that no scene has.

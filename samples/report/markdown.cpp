@@ -1,6 +1,8 @@
 #include "report/numbers.h"
+#include "report/overview.h"
 #include "report/report.h"
 #include "report/summary.h"
+#include "report/table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,33 +23,8 @@ std::vector<Figure> shown_costs() {
     return shown;
 }
 
-/// A name as a table's cell takes it.
-std::string cell(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '|') out += '\\';
-        out += c == '\n' ? ' ' : c;
-    }
-    return out;
-}
-
-std::string join(std::span<const std::string> texts, std::string_view separator) {
-    std::string out;
-    for (const std::string& text : texts) out.append(out.empty() ? "" : separator).append(text);
-    return out;
-}
-
-std::string row(const std::vector<std::string>& cells) { return "| " + join(cells, " | ") + " |\n"; }
-
-/// The first column is text, the others numbers.
-std::string header(const std::vector<std::string>& titles) {
-    std::string rule = "|---|";
-    for (std::size_t i = 1; i < titles.size(); ++i) rule += "---:|";
-    return row(titles) + rule + "\n";
-}
-
 std::string settings_table(const Measurements& all, const ClassSummary& of) {
-    std::vector<std::string> titles{"Setting", "median, %", "p95, %", "max, %"};
+    std::vector<std::string> titles{"Setting", "median, %", "p95, %", "max, %", "geometry median, %", "geometry p95, %"};
     for (const Figure& figure : scene_figures) titles.emplace_back(figure.title);
     for (const Figure& figure : shown_costs()) titles.emplace_back(figure.title);
     std::string out = header(titles);
@@ -59,6 +36,10 @@ std::string settings_table(const Measurements& all, const ClassSummary& of) {
                 cells.push_back(in_unit(error, Unit::percent));
         else
             cells.insert(cells.end(), 3, std::string(not_measured));
+        const auto geometry = summary.regions.find("aerial");
+        for (double Spread::*const which : {&Spread::median, &Spread::p95})
+            cells.push_back(geometry == summary.regions.end() ? std::string(not_measured)
+                                                              : in_unit(geometry->second.*which, Unit::percent));
         for (const Figure& figure : scene_figures) cells.push_back(in_unit(summary.errors, figure));
         for (const Figure& figure : shown_costs()) cells.push_back(in_unit(summary.costs, figure));
         out += row(cells);
@@ -122,7 +103,9 @@ std::string markdown_tables(const nlohmann::json& measurements, const std::strin
                       ". Errors: " + all.device +
                       ". Costs: " + (all.costs.empty() || all.cost_device.empty() ? "not measured" : all.cost_device) + ".\n" +
                       std::string(aggregation_note) + " " + std::string(not_measured) + ": not measured.\n";
-    for (const ClassSummary& of : summarize(all)) {
+    const std::vector<ClassSummary> classes = summarize(all);
+    out += overview_tables(all, classes);
+    for (const ClassSummary& of : classes) {
         out += "\n## " + of.name + "\n\n" + std::to_string(of.scenes) + (of.scenes == 1 ? " scene.\n\n" : " scenes.\n\n");
         if (of.settings.empty()) {
             out += "Not measured.\n";

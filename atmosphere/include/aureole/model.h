@@ -35,6 +35,9 @@ public:
     virtual void require(const rhi::Device& device) const = 0;
     /// What is shown of it comes from tables alone: of several wavelengths (models/spectral.h) these are added up, else pixels.
     [[nodiscard]] virtual bool by_tables() const noexcept { return false; }
+    /// Whether the host's shadow maps can darken its air (ViewSettings::shadows): its light is single scattering of the air's
+    /// terms, and more.
+    [[nodiscard]] virtual bool has_shadows() const noexcept { return true; }
     /// For the module's use: everything on the device that belongs to one air.
     [[nodiscard]] virtual std::unique_ptr<detail::ModelAir> make_air(detail::AirResources& shared,
                                                                      const AtmosphereParameters& parameters) const = 0;

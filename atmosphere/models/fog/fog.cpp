@@ -18,7 +18,7 @@ using models::FogSettings;
 
 class FogView final : public ModelView {
 public:
-    FogView(ModelKernels kernels) : kernels_(std::move(kernels)) { kernels_.shadows = false; }
+    FogView(ModelKernels kernels) : kernels_(std::move(kernels)) {}
     [[nodiscard]] const ModelKernels& kernels() const noexcept override { return kernels_; }
 
 private:
@@ -76,6 +76,7 @@ public:
     [[nodiscard]] const QualitySettings& quality() const noexcept override { return no_tables_; }
     void validate() const override { models::validate(settings_); }
     void require(const rhi::Device&) const override {}
+    [[nodiscard]] bool has_shadows() const noexcept override { return false; }
     [[nodiscard]] std::unique_ptr<ModelAir> make_air(AirResources& shared, const AtmosphereParameters&) const override {
         return std::make_unique<FogAir>(shared, settings_);
     }

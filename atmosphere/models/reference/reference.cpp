@@ -36,6 +36,7 @@ public:
                         "at least film_width and three times film_height of ReferenceSettings, " +
                             std::to_string(settings_.film_width) + " and " + std::to_string(rows));
     }
+    [[nodiscard]] bool has_shadows() const noexcept override { return false; }
     [[nodiscard]] std::unique_ptr<ModelAir> make_air(AirResources&, const AtmosphereParameters&) const override {
         return std::make_unique<ReferenceAir>(settings_);
     }
@@ -95,8 +96,7 @@ ReferenceView::ReferenceView(ViewResources& shared, const ViewSettings& view, co
                 .tables = {{2, has_film() ? film_.handle : shared.air.profile_table.handle, shared.air.nearest, {}},
                            {11, {}, {}, quadrature_.handle}},
                 .specialization = {values.begin(), values.end()},
-                .aerial_perspective = view.aerial_perspective,
-                .shadows = false};
+                .aerial_perspective = view.aerial_perspective};
     if (has_light_) kernels_.tables.push_back({3, light_.handle, shared.air.nearest, {}});
 }
 

@@ -86,6 +86,7 @@ public:
         models::validate(settings_);
     }
     void require(const rhi::Device& device) const override { inner_->require(device); }
+    [[nodiscard]] bool has_shadows() const noexcept override { return inner_->has_shadows(); }
     [[nodiscard]] std::unique_ptr<ModelAir> make_air(AirResources& shared,
                                                      const AtmosphereParameters& parameters) const override {
         return std::make_unique<SpectralAir>(shared, parameters, inner_, settings_);

@@ -1,17 +1,16 @@
-#include "measure/setting.h"
-
 #include <aureole/models/aureole.h>
 #include <aureole/models/bruneton.h>
 #include <aureole/models/hillaire.h>
 #include <aureole/models/single.h>
 #include <aureole/models/single_lut.h>
-#include <aureole/rhi/error.h>
+#include <aureole/models/spectral.h>
+#include <aureole/setting.h>
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-namespace aureole::app {
+namespace aureole {
 namespace {
 
 using models::BrunetonSettings;
@@ -70,30 +69,26 @@ bool leave_out(SingleLutSettings& s, std::string_view what) {
     return true;
 }
 
-[[noreturn]] void reject_without(const SuiteSetting& setting, std::string_view what) {
+[[noreturn]] void reject_without(const Setting& setting, std::string_view what) {
     std::string allowed;
     for (const std::string_view name : names) allowed.append("\"").append(name).append("\", ");
     throw Error(ErrorCode::invalid_argument, "without",
-                std::string("\"").append(what).append("\" of ").append(SuiteSetting{setting.model, {}}.id()),
+                std::string("\"").append(what).append("\" of ").append(setting.baseline()),
                 allowed + "where the model has it, or a term of the air by its name");
 }
 
 bool is_simplification(std::string_view what) { return std::ranges::find(names, what) != names.end(); }
 
-bool without(const SuiteSetting& setting, std::string_view what) {
-    return std::ranges::find(setting.without, what) != setting.without.end();
-}
-
 template <class Settings>
-ModelPtr make(Settings settings, const SuiteSetting& setting, ModelPtr (*make_model)(const Settings&)) {
+ModelPtr make(Settings settings, const Setting& setting, ModelPtr (*make_model)(const Settings&)) {
     for (const std::string& what : setting.without)
         if (is_simplification(what) && what != wavelengths && !leave_out(settings, what)) reject_without(setting, what);
     return make_model(settings);
 }
 
-ModelPtr make_model(const SuiteSetting& setting) {
-    const auto& [name, quality, spectral] = setting.model;
-    if (setting.model.in_rgb() && without(setting, wavelengths)) reject_without(setting, wavelengths);
+ModelPtr make_model(const Setting& setting) {
+    const std::string &name = setting.model, &quality = setting.quality;
+    if (setting.in_rgb() && setting.leaves_out(wavelengths)) reject_without(setting, wavelengths);
     if (name == "aureole") return make(QualitySettings::by_name(quality), setting, &models::aureole);
     if (name == "hillaire") return make(HillaireSettings::by_name(quality), setting, &models::hillaire);
     if (name == "bruneton") return make(BrunetonSettings::by_name(quality), setting, &models::bruneton);
@@ -104,21 +99,35 @@ ModelPtr make_model(const SuiteSetting& setting) {
     return model_by_name(name, quality);
 }
 
+ModelPtr in_its_colours(const Setting& setting, ModelPtr model) {
+    if (setting.in_rgb()) return model;
+    const models::SpectralSettings colours{models::wavelengths_by_name(setting.spectral)};
+    return setting.leaves_out(wavelengths) ? model : models::spectral(model, colours);
+}
+
 }  // namespace
+
+std::string Setting::id() const {
+    std::string text = model + " " + quality + (in_rgb() ? "" : " " + spectral);
+    for (std::size_t i = 0; i < without.size(); ++i) text += (i == 0 ? ", without " : " and ") + without[i];
+    return text;
+}
+
+std::string Setting::baseline() const { return without.empty() ? "" : Setting{model, quality, spectral, {}}.id(); }
+
+bool Setting::leaves_out(std::string_view what) const { return std::ranges::find(without, what) != without.end(); }
 
 std::span<const std::string_view> simplification_names() { return names; }
 
-void check(const SuiteSetting& setting) {
-    (void)setting.model.in_its_colours(make_model(setting));
-    for (std::size_t i = 0; i < setting.without.size(); ++i)
-        if (std::find(setting.without.begin(), setting.without.begin() + static_cast<std::ptrdiff_t>(i), setting.without[i]) !=
-            setting.without.begin() + static_cast<std::ptrdiff_t>(i))
-            throw Error(ErrorCode::invalid_argument, "without", "\"" + setting.without[i] + "\" twice", "each once");
+void validate(const Setting& setting) {
+    (void)in_its_colours(setting, make_model(setting));
+    for (auto what = setting.without.begin(); what != setting.without.end(); ++what)
+        if (std::find(setting.without.begin(), what, *what) != what)
+            throw Error(ErrorCode::invalid_argument, "without", "\"" + *what + "\" twice", "each once");
 }
 
-std::optional<Prepared> prepare(const SuiteSetting& setting, const AtmosphereParameters& air) {
-    const ModelPtr model = make_model(setting);
-    Prepared prepared{air, without(setting, wavelengths) ? model : setting.model.in_its_colours(model)};
+std::optional<Prepared> prepare(const Setting& setting, const AtmosphereParameters& air) {
+    Prepared prepared{air, in_its_colours(setting, make_model(setting))};
     for (const std::string& what : setting.without) {
         if (is_simplification(what)) continue;
         if (std::erase_if(prepared.air.terms, [&](const DensityTerm& term) { return term.name == what; }) == 0) return {};
@@ -126,23 +135,18 @@ std::optional<Prepared> prepare(const SuiteSetting& setting, const AtmospherePar
     return prepared;
 }
 
-bool is_for(const SuiteSetting& setting, const SuiteAir& air) {
-    return setting.model.in_rgb() == (air.spectral == "rgb") && prepare(setting, air.parameters).has_value();
-}
-
-SuiteSetting converged(const SuiteSetting& setting) {
-    const auto& [name, quality, spectral] = setting.model;
-    if (name == "fog" && quality == "low") return setting;  // one colour: as it is
-    SuiteSetting result = setting;
-    result.model.quality = "converged";
+Setting converged(const Setting& setting) {
+    if (setting.model == "fog" && setting.quality == "low") return setting;  // one colour: as it is
+    Setting result = setting;
+    result.quality = "converged";
     const auto leave = [&](std::string_view what) {
-        if (!without(result, what)) result.without.emplace_back(what);
+        if (!result.leaves_out(what)) result.without.emplace_back(what);
     };
     // What these qualities leave out of the light is the model's, not the samples'.
-    if (name == "aureole" && quality == "low" && !without(setting, multiple)) leave(direction);
-    if (name == "hillaire" && quality != "high") leave(colour);
+    if (setting.model == "aureole" && setting.quality == "low" && !setting.leaves_out(multiple)) leave(direction);
+    if (setting.model == "hillaire" && setting.quality != "high") leave(colour);
     std::erase_if(result.without, [](const std::string& what) { return what == samples || what == precision; });
     return result;
 }
 
-}  // namespace aureole::app
+}  // namespace aureole

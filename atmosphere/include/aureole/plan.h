@@ -1,0 +1,141 @@
+// The planner: what a scene needs, and what error or cost is tolerable, go in; the cheapest way to draw that sky comes out,
+// with the reason for each choice and its price, from what was measured of every setting (plan/plan.md, docs/trade.md).
+//
+//     PlanRequirements needs;
+//     needs.sun_elevation_deg = {-6, 60};
+//     needs.altitude_m = {2, 500};
+//     needs.tolerance = 0.02;                     // 2 % of radiance, for 95 of 100 directions
+//     const Plan plan = aureole::plan(needs);
+//     std::puts(plan.text().c_str());
+//     Atmosphere air(device, plan.air, plan.model);
+//     View view(air, plan.view, composite);
+#pragma once
+
+#include <aureole/atmosphere.h>
+#include <aureole/setting.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace aureole {
+
+struct PlanRange {
+    double least = 0, most = 0;
+    [[nodiscard]] bool operator==(const PlanRange&) const = default;
+};
+
+/// How much slower than the machine that costs were measured on (Plan::measured_on) a device is: factors on milliseconds, each
+/// in [1e-6, 1e6]. calibrated() finds them.
+struct DeviceSpeed {
+    double composite = 1;  ///< Of passes over pixels.
+    double tables = 1;     ///< Of passes that fill tables.
+    [[nodiscard]] bool operator==(const DeviceSpeed&) const = default;
+};
+
+/// What a scene needs. One of tolerance, budget_ms and budget_mib, or several; a value out of range is
+/// Error(invalid_argument) from plan().
+struct PlanRequirements {
+    AtmosphereParameters air;  ///< Clear, hazy, another planet's: with all its terms. The planner says which can go.
+
+    // Where and when the scene plays: the plan holds over the whole of both ranges.
+    PlanRange sun_elevation_deg{0, 90};  ///< In [-90, 90], least first.
+    PlanRange altitude_m{2, 2};          ///< Of the camera above the ground radius; in [-1e4, 1e12], least first.
+
+    // What is shown.
+    bool geometry = false;                     ///< The composite gets a host's colour and depth.
+    double geometry_range_m = 96000;           ///< How far away geometry may be. In [1e-3, 1e13].
+    bool shadows = false;                      ///< The host's shadow map darkens the air (ViewSettings::shadows).
+    bool light = true;                         ///< Sun colour and sky irradiance for the host's own materials are needed.
+    std::uint32_t suns = 1;                    ///< In [1, 4].
+    std::uint32_t views = 1;                   ///< Cameras that are drawn each frame. In [1, 64].
+    std::uint32_t width = 1280, height = 720;  ///< Pixels of a view. Each in [1, 65536].
+    /// Colours must be those of wavelengths, as the eye sees them, not those of a red, a green and a blue light: the truth that
+    /// errors are against. Costs are of the tables alone (models/spectral.h).
+    bool wavelengths = false;
+    /// Share of frames in which the air itself changes, so that its tables are made anew. In [0, 1].
+    double rebuilds_per_frame = 0;
+
+    // What is tolerable.
+    /// Relative error of radiance that 95 of 100 directions must stay below. In [1e-4, 10].
+    std::optional<double> tolerance;
+    /// Milliseconds of a frame: camera tables, composites, and rebuilds as often as they occur. In (0, 1e6].
+    std::optional<double> budget_ms;
+    /// MiB of tables. In (0, 1e6].
+    std::optional<double> budget_mib;
+
+    DeviceSpeed speed;
+
+    [[nodiscard]] bool operator==(const PlanRequirements&) const = default;
+};
+/// Throws Error(invalid_argument) at the first field outside its range, and if nothing says what is tolerable.
+void validate(const PlanRequirements& requirements);
+
+/// On the device that PlanRequirements::speed describes.
+struct PlanCost {
+    double frame_ms = 0;    ///< Of a frame that moves camera and sun: tables of the camera, composites; of all views.
+    double rebuild_ms = 0;  ///< Of the tables of the air.
+    double mebibytes = 0;   ///< Of the tables of the air, and of the cameras.
+    double charged_ms = 0;  ///< frame_ms and rebuild_ms as often as it occurs: what budget_ms bounds, and plans compare.
+};
+/// Relative, of radiance: of the worst situation in the requirements' ranges.
+struct PlanError {
+    double median = 0;  ///< Of half of the directions; likely.
+    double p95 = 0;     ///< Of 95 of 100 directions; likely.
+    double bound = 0;   ///< Upper bound of p95: holds in 95 of 100 scenes that were not measured (plan.md).
+};
+
+/// A setting that was thought of.
+struct PlanCandidate {
+    Setting setting;
+    PlanError error;
+    PlanCost cost;
+    bool tolerable = false;  ///< Meets tolerance and budgets.
+    std::string excluded;    ///< Why it cannot be taken at all: "has no shadows"; then the rest is 0. Else empty.
+};
+/// One decision of the plan.
+struct PlanChoice {
+    std::string what;    ///< "model", "ozone", "ground light", "float tables", "aerial perspective", "sky-view table" ...
+    std::string chosen;  ///< "kept", "left out", "40x192 rgba32_float, 10 nodes a segment" ...
+    std::string reason;  ///< In a sentence, with the figures that decided.
+    /// What the other way would change, where that was measured: of the bound, and of charged_ms; else none.
+    std::optional<double> error_otherwise, cost_otherwise_ms;
+};
+
+struct Plan {
+    Setting setting;
+    AtmosphereParameters air;  ///< With what is left out left out: to be given to Atmosphere, with `model`.
+    ModelPtr model;
+    ViewSettings view;  ///< Aerial perspective, its range, light and suns as required; shadows as the host sets them.
+
+    bool tolerable = false;  ///< False: nothing meets the requirements; this is the most accurate within budgets, or the
+                             ///< smallest budget breaker.
+    PlanError error;
+    PlanCost cost;
+    std::vector<PlanChoice> choices;
+    std::vector<PlanCandidate> candidates;  ///< All, from the cheapest on; those excluded last.
+    std::vector<std::string> nearest;       ///< Ids of the measured scenes that the prediction goes by most.
+    /// How far the worst of the situations is from what was measured: 0 at a measured scene; above 1 the bound is wide, as
+    /// nothing like it was measured.
+    double distance = 0;
+    std::string measured_on;  ///< Device of the costs, before PlanRequirements::speed.
+
+    /// For people: every choice with its reason, the candidates on either side of the chosen one.
+    [[nodiscard]] std::string text() const;
+};
+
+/// Deterministic, some milliseconds long; touches no device. Throws as validate does, of the air too.
+[[nodiscard]] Plan plan(const PlanRequirements& requirements);
+
+/// What to measure for a device's speed: aureole default in Earth's air, 1280x720 pixels, sky alone. Medians of about a second.
+struct SpeedSample {
+    double composite_ms = 0;  ///< View::record_composite. Above 0.
+    double tables_ms = 0;     ///< Atmosphere::record after a change of the air, and View::record after one of camera and sun.
+};
+/// Setting to be measured for it, of presets::earth().
+[[nodiscard]] Setting speed_setting();
+/// Throws Error(invalid_argument) for a time that is not above 0.
+[[nodiscard]] DeviceSpeed calibrated(const SpeedSample& sample);
+
+}  // namespace aureole

@@ -1,0 +1,91 @@
+// A sky that follows its plan (plan.h): when the sun sets or the camera leaves the ground, another setting may be enough, or
+// called for. update() says what changes; the new sky is made ready beside the old one, which gives way to it over some frames.
+//
+//     PlannedSky sky(device, needs, {.target_format = rhi::Format::rgba16_float});
+//     sky.prepare_composite(targets);  // once for each set of textures
+//     while (next_frame()) {
+//         for (const PlanChange& change : sky.update(camera, suns).changes) log(change);
+//         sky.record(commands);
+//         sky.record_composite(commands, targets);
+//     }
+//
+// Rules of Atmosphere and View hold (atmosphere.h): recording never allocates or throws; update() may do both when the plan
+// changes, and then leaves everything as it was if it throws.
+#pragma once
+
+#include <aureole/plan.h>
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace aureole {
+
+struct FollowSettings {
+    /// A plan is made for what surrounds sun and camera this far, on the scales of asinh(sun elevation / 3 degrees) and of
+    /// asinh(30 altitude / thickness of the air), and kept until they leave it. In [0.01, 100].
+    double margin = 0.5;
+    /// Over which the old sky gives way to the new one; 0: at once. In [0, 100000].
+    std::uint32_t fade_frames = 30;
+    /// Of Atmosphere::set_multi_scatter_passes_per_frame for a new sky's first tables, in [0, 64]: the old one is shown
+    /// meanwhile. 0: at once.
+    int passes_per_frame = 0;
+};
+
+/// Something that another plan does otherwise.
+struct PlanChange {
+    std::string what;  ///< As PlanChoice::what.
+    std::string before, after;
+    std::string reason;  ///< Of the new plan.
+};
+struct PlanUpdate {
+    bool planned = false;             ///< A plan has been made; it may be the same as before.
+    std::vector<PlanChange> changes;  ///< What it changes: empty if nothing.
+    double share = 1;                 ///< Of the newest plan's sky in what will be shown: below 1 during a fade.
+};
+
+class PlannedSky {
+public:
+    /// The ranges of `needs` are those of the whole scene; each plan is for the part around sun and camera. The first plan is
+    /// made by the first update(). `composite`: of every view. Throws as validate does, and as Atmosphere and View do.
+    PlannedSky(rhi::Device& device, const PlanRequirements& needs, const CompositeSettings& composite = {},
+               const FollowSettings& follow = {});
+    ~PlannedSky();
+    PlannedSky(const PlannedSky&) = delete;
+    PlannedSky& operator=(const PlannedSky&) = delete;
+
+    /// The frame's camera, and suns (at most PlanRequirements::suns): the brightest is planned for. Makes a new plan where they
+    /// have left the surroundings of the last one, and a new sky where that differs. A sun or camera beyond the ranges of the
+    /// requirements is planned for all the same. During a fade no other plan is made.
+    PlanUpdate update(const Camera& camera, std::span<const Sun> suns);
+    /// Of the latest update(). Before the first: that for the whole of the requirements' ranges.
+    [[nodiscard]] const Plan& plan() const noexcept;
+    /// Other air: planned for by the next update(). Where the same setting is enough, as Atmosphere::set_parameters.
+    void set_air(const AtmosphereParameters& air);
+    void set_exposure(double exposure);
+    void set_frame(std::uint64_t frame) noexcept;  ///< As Atmosphere's.
+
+    /// As View's. Also makes two textures of the target's size and format for fades, unless FollowSettings::fade_frames is 0:
+    /// a target must then be a texture that can be sampled in its format.
+    void prepare_composite(const CompositeTargets& targets);
+    void release_composite(const CompositeTargets& targets) noexcept;
+    /// Records the tables of the air and the camera that are due.
+    void record(rhi::CommandList& commands);
+    /// Records the composite; during a fade two of them, and one over the other.
+    void record_composite(rhi::CommandList& commands, const CompositeTargets& targets);
+    void invalidate() noexcept;  ///< As Atmosphere's.
+
+    /// Of the newest sky that is ready; null before the first record(), or where PlanRequirements::light is false.
+    [[nodiscard]] rhi::Texture light_table() const noexcept;
+    [[nodiscard]] std::uint64_t table_bytes() const noexcept;  ///< Of all skies there are at the moment.
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// What the second plan does otherwise than the first.
+[[nodiscard]] std::vector<PlanChange> differences(const Plan& before, const Plan& after);
+
+}  // namespace aureole

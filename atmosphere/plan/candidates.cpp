@@ -1,0 +1,146 @@
+#include "plan/candidates.h"
+
+#include "plan/axes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace aureole::detail {
+namespace {
+
+constexpr double measured_pixels = 1280.0 * 720.0;
+constexpr double alike = 1.1;  // costs, or errors, that differ by less are the same
+constexpr int sun_steps = 8, altitude_steps = 4;
+
+/// `steps` + 1 places from one end to the other, evenly in `warp`; one if both ends are the same.
+template <class Warp, class Unwarp>
+std::vector<double> spread_over(PlanRange range, int steps, const Warp& warp, const Unwarp& unwarp) {
+    if (range.least == range.most) return {range.least};
+    std::vector<double> result;
+    const double first = warp(range.least), last = warp(range.most);
+    for (int i = 0; i <= steps; ++i) result.push_back(unwarp(first + (last - first) * i / steps));
+    result.front() = range.least;
+    result.back() = range.most;
+    return result;
+}
+
+/// Of the worst place, by what a view shows. None where nothing of it was measured.
+std::optional<PlanError> error_of(const PlanRequirements& requirements, const MeasuredSetting& measured, Predictor& predictor,
+                                  const std::vector<Situation>& places) {
+    PlanError worst;
+    for (const Situation& place : places) {
+        const std::optional<PredictedError> median = predictor.predict(measured.sky_median, place);
+        const std::optional<PredictedError> sky = predictor.predict(measured.sky_p95, place);
+        if (!median || !sky) return {};
+        worst.median = std::max(worst.median, median->likely);
+        worst.p95 = std::max(worst.p95, sky->likely);
+        worst.bound = std::max(worst.bound, sky->bound);
+        const std::optional<PredictedError> through =
+            requirements.geometry ? predictor.predict(measured.aerial_p95, place) : std::nullopt;
+        if (!through) continue;
+        worst.p95 = std::max(worst.p95, through->likely);
+        worst.bound = std::max(worst.bound, through->bound);
+    }
+    return worst;
+}
+
+std::string why_excluded(const PlanRequirements& requirements, const Setting& setting) {
+    const std::optional<Prepared> prepared = prepare(setting, requirements.air);
+    if (!prepared) return "leaves out what this air does not have";
+    if (requirements.shadows && !prepared->model->has_shadows()) return "has no shadows in the air";
+    return {};
+}
+
+bool tolerates(const PlanRequirements& requirements, const PlanCandidate& candidate) {
+    return (!requirements.tolerance || candidate.error.bound <= *requirements.tolerance) &&
+           (!requirements.budget_ms || candidate.cost.charged_ms <= *requirements.budget_ms) &&
+           (!requirements.budget_mib || candidate.cost.mebibytes <= *requirements.budget_mib);
+}
+
+/// Of those that `counts`, the least by `first`; of those alike in it the least by `second`.
+template <class Counts, class First, class Second>
+std::optional<std::size_t> least(const std::vector<PlanCandidate>& candidates, const Counts& counts, const First& first,
+                                 const Second& second) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const PlanCandidate& one : candidates)
+        if (one.excluded.empty() && counts(one)) smallest = std::min(smallest, first(one));
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const PlanCandidate& one = candidates[i];
+        if (!one.excluded.empty() || !counts(one) || first(one) > alike * smallest) continue;
+        if (!best || second(one) < second(candidates[*best])) best = i;
+    }
+    return best;
+}
+
+}  // namespace
+
+std::vector<Situation> situations_of(const PlanRequirements& requirements) {
+    const AirCoordinates air(requirements.air);
+    const Planet& planet = requirements.air.planet;
+    const auto suns = spread_over(requirements.sun_elevation_deg, sun_steps, sun_axis, elevation_of);
+    const auto altitudes = spread_over(
+        requirements.altitude_m, altitude_steps, [&](double m) { return altitude_axis(m, planet); },
+        [&](double on_axis) { return altitude_of(on_axis, planet); });
+    std::vector<Situation> result;
+    for (const double sun : suns)
+        for (const double altitude : altitudes) result.push_back(air.at(sun, altitude));
+    return result;
+}
+
+CostParts cost_of(const PlanRequirements& requirements, const MeasuredCost& measured) {
+    const double views = requirements.views, suns = requirements.suns;
+    const double pixels = double(requirements.width) * requirements.height / measured_pixels;
+    const auto [composite, tables] = requirements.speed;
+    CostParts parts;
+    parts.aerial_perspective_ms = requirements.geometry ? views * suns * tables * measured.aerial_perspective_ms : 0;
+    parts.light_ms = requirements.light ? views * suns * tables * measured.light_ms : 0;
+    const double shown = requirements.geometry ? measured.composite_geometry_ms : measured.composite_ms;
+    parts.cost.frame_ms =
+        views * (composite * pixels * shown + suns * tables * measured.view_ms) + parts.aerial_perspective_ms + parts.light_ms;
+    parts.cost.rebuild_ms = tables * measured.rebuild_ms;
+    parts.cost.mebibytes = measured.mebibytes;
+    parts.cost.charged_ms = parts.cost.frame_ms + requirements.rebuilds_per_frame * parts.cost.rebuild_ms;
+    return parts;
+}
+
+std::vector<PlanCandidate> candidates_of(const PlanRequirements& requirements, const MeasuredSkies& skies,
+                                         Predictor& predictor) {
+    const std::vector<Situation> places = situations_of(requirements);
+    std::vector<PlanCandidate> result;
+    for (const MeasuredSetting& measured : skies.settings) {
+        PlanCandidate& candidate = result.emplace_back();
+        candidate.setting = measured.setting;
+        candidate.excluded = why_excluded(requirements, measured.setting);
+        if (!candidate.excluded.empty()) continue;
+        const std::optional<PlanError> error = error_of(requirements, measured, predictor, places);
+        const std::optional<MeasuredCost> cost = predictor.cost(measured, places.front());
+        if (!error || !cost) {
+            candidate.excluded = "was not measured";
+            continue;
+        }
+        candidate.error = *error;
+        candidate.cost = cost_of(requirements, *cost).cost;
+        candidate.tolerable = tolerates(requirements, candidate);
+    }
+    return result;
+}
+
+std::size_t best_of(const PlanRequirements& requirements, const std::vector<PlanCandidate>& candidates) {
+    const auto cost = [](const PlanCandidate& one) { return one.cost.charged_ms; };
+    const auto error = [](const PlanCandidate& one) { return one.error.bound; };
+    const auto tolerable = [](const PlanCandidate& one) { return one.tolerable; };
+    const auto affordable = [&](const PlanCandidate& one) {
+        return (!requirements.budget_ms || one.cost.charged_ms <= *requirements.budget_ms) &&
+               (!requirements.budget_mib || one.cost.mebibytes <= *requirements.budget_mib);
+    };
+    const auto any = [](const PlanCandidate&) { return true; };
+    const auto best = requirements.tolerance ? least(candidates, tolerable, cost, error) : std::nullopt;
+    if (best) return *best;
+    if (const auto accurate = least(candidates, affordable, error, cost)) return *accurate;
+    return least(candidates, any, cost, error).value();
+}
+
+}  // namespace aureole::detail

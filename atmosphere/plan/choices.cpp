@@ -1,0 +1,173 @@
+#include "plan/choices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <utility>
+
+namespace aureole::detail {
+namespace {
+
+std::string with_figures(double value, int figures, const char* unit) {
+    const int magnitude = value != 0 ? static_cast<int>(std::floor(std::log10(std::abs(value)))) : 0;
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(std::clamp(figures - 1 - magnitude, 0, 9)) << value << " " << unit;
+    return std::move(text).str();
+}
+
+class Reasons {
+public:
+    Reasons(const PlanRequirements& requirements, const MeasuredSkies& skies, Predictor& predictor, const Plan& plan)
+        : requirements_(requirements), skies_(skies), predictor_(predictor), plan_(plan) {}
+
+    std::vector<PlanChoice> all() {
+        add_model();
+        for (const DensityTerm& term : requirements_.air.terms) add_part("term " + term.name, term.name);
+        for (const std::string_view name : simplification_names()) {
+            if (name == "half the samples" || name == "float tables") continue;
+            add_part(std::string(name), std::string(name));
+        }
+        add_part("samples", "half the samples");
+        add_part("float tables", "float tables");
+        add_passes();
+        if (plan_.setting.model == "aureole") add_tables();
+        return std::move(choices_);
+    }
+
+private:
+    /// The planned setting with one more, or one less, left out; null if that was not measured.
+    [[nodiscard]] const PlanCandidate* otherwise(const std::string& what) const {
+        Setting other = plan_.setting;
+        if (std::erase(other.without, what) == 0) other.without.push_back(what);
+        const auto same = [&](const PlanCandidate& one) {
+            return one.excluded.empty() && one.setting.model == other.model && one.setting.quality == other.quality &&
+                   one.setting.spectral == other.spectral &&
+                   std::set(one.setting.without.begin(), one.setting.without.end()) ==
+                       std::set(other.without.begin(), other.without.end());
+        };
+        const auto found = std::ranges::find_if(plan_.candidates, same);
+        return found == plan_.candidates.end() ? nullptr : &*found;
+    }
+
+    [[nodiscard]] bool by_tolerance() const { return requirements_.tolerance.has_value(); }
+
+    void add_model() {
+        const std::size_t count =
+            static_cast<std::size_t>(std::ranges::count(plan_.candidates, true, &PlanCandidate::tolerable));
+        std::string reason;
+        if (!plan_.tolerable)
+            reason = "nothing measured meets the requirements; this comes closest";
+        else if (by_tolerance())
+            reason = "the cheapest of " + std::to_string(count) + " settings that meet the requirements";
+        else
+            reason = "the most accurate of " + std::to_string(count) + " settings within the budget";
+        choices_.push_back({"model",
+                            plan_.setting.model + " " + plan_.setting.quality +
+                                (plan_.setting.in_rgb() ? "" : ", " + plan_.setting.spectral + " wavelengths"),
+                            reason,
+                            {},
+                            {}});
+    }
+
+    /// Something that the setting leaves out, or could.
+    void add_part(const std::string& what, const std::string& name) {
+        const bool left_out = plan_.setting.leaves_out(name);
+        const PlanCandidate* other = otherwise(name);
+        if (!left_out && other == nullptr) {
+            if (what.starts_with("term "))
+                choices_.push_back({what, "kept", "leaving it out of this model was not measured", {}, {}});
+            return;
+        }
+        PlanChoice choice{what, left_out ? "left out" : "kept", {}, {}, {}};
+        if (what == "samples") choice.chosen = left_out ? "half of them" : "all of them";
+        if (what == "float tables") choice.chosen = left_out ? "half floats" : "kept";
+        if (other != nullptr) {
+            choice.error_otherwise = other->error.bound - plan_.error.bound;
+            choice.cost_otherwise_ms = other->cost.charged_ms - plan_.cost.charged_ms;
+            choice.reason = (left_out ? "with it the error would be " : "without it the error would be ") +
+                            percent(other->error.bound) + ", " + cost_change(*choice.cost_otherwise_ms) +
+                            verdict(*other, left_out);
+        } else {
+            choice.reason = "as it was measured";
+        }
+        choices_.push_back(std::move(choice));
+    }
+
+    [[nodiscard]] std::string cost_change(double ms) const {
+        if (std::abs(ms) < 0.02 * plan_.cost.charged_ms) return "at the same cost";
+        return milliseconds(std::abs(ms)) + (ms < 0 ? " less" : " more");
+    }
+    [[nodiscard]] std::string verdict(const PlanCandidate& other, bool left_out) const {
+        if (requirements_.tolerance && !left_out && other.error.bound > *requirements_.tolerance)
+            return ": more than " + percent(*requirements_.tolerance);
+        return {};
+    }
+
+    void add_passes() {
+        const auto setting = std::ranges::find(skies_.settings, plan_.setting, &MeasuredSetting::setting);
+        const std::optional<MeasuredCost> measured = predictor_.cost(*setting, situations_of(requirements_).front());
+        PlanRequirements whole = requirements_;
+        whole.geometry = whole.light = true;
+        const CostParts parts = cost_of(whole, *measured);
+        const auto add = [&](const char* what, bool kept, double ms, const char* why_kept, const char* why_left) {
+            choices_.push_back(
+                {what,
+                 kept ? "recorded" : "left out",
+                 kept ? std::string(why_kept) + ": " + milliseconds(ms) : std::string(why_left) + ": saves " + milliseconds(ms),
+                 {},
+                 kept ? -ms : ms});
+        };
+        add("aerial perspective", requirements_.geometry, parts.aerial_perspective_ms, "geometry is seen through the air",
+            "no geometry");
+        add("light", requirements_.light, parts.light_ms, "the host's materials need it", "no material needs it");
+    }
+
+    void add_tables() {
+        const QualitySettings q = plan_.model->quality_for(requirements_.air);
+        const auto size = [](const rhi::Extent& e, rhi::Format format) {
+            return std::to_string(e.width) + "x" + std::to_string(e.height) +
+                   (e.depth > 1 ? "x" + std::to_string(e.depth) : "") + " " + std::string(rhi::to_string(format));
+        };
+        const auto add = [&](const char* what, const std::string& chosen, const std::string& reason) {
+            choices_.push_back({what, chosen, reason, {}, {}});
+        };
+        const std::string of = "of " + plan_.setting.id();
+        add("transmittance table",
+            size(q.transmittance, q.table_format) + ", " + std::to_string(q.transmittance_nodes) + " nodes a ray", of);
+        if (q.multi_scatter_orders > 0)
+            add("multi-scatter table",
+                size(q.multi_scatter, rhi::Format::rgba32_float) + ", moments to order " + std::to_string(q.angular_order) +
+                    ", " + std::to_string(q.multi_scatter_nodes) + " and " + std::to_string(q.multi_scatter_later_nodes) +
+                    " nodes a ray",
+                q.angular_order < plan_.model->quality().angular_order ? "this air makes use of no higher order" : of);
+        add("sky-view table", size(q.sky_view, q.table_format) + ", " + std::to_string(q.sky_view_nodes) + " nodes a segment",
+            of);
+        if (requirements_.geometry)
+            add("froxels",
+                size(q.aerial_perspective, q.froxel_format) + ", " + std::to_string(q.aerial_perspective_nodes) +
+                    " slabs a slice, to " + with_figures(requirements_.geometry_range_m / 1000, 3, "km"),
+                of);
+    }
+
+    const PlanRequirements& requirements_;
+    const MeasuredSkies& skies_;
+    Predictor& predictor_;
+    const Plan& plan_;
+    std::vector<PlanChoice> choices_;
+};
+
+}  // namespace
+
+std::string with_unit(double value, const char* unit) { return with_figures(value, 3, unit); }
+std::string percent(double share) { return with_figures(100 * share, 2, "%"); }
+std::string milliseconds(double ms) { return with_figures(ms, 3, "ms"); }
+
+std::vector<PlanChoice> choices_of(const PlanRequirements& requirements, const MeasuredSkies& skies, Predictor& predictor,
+                                   const Plan& plan) {
+    return Reasons(requirements, skies, predictor, plan).all();
+}
+
+}  // namespace aureole::detail

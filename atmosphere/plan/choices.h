@@ -1,0 +1,22 @@
+// Why a plan is as it is: each decision with the figures behind it.
+#pragma once
+
+#include "plan/candidates.h"
+
+#include <string>
+#include <vector>
+
+namespace aureole::detail {
+
+/// Of a plan whose setting, air, model, view, figures and candidates are known.
+[[nodiscard]] std::vector<PlanChoice> choices_of(const PlanRequirements& requirements, const MeasuredSkies& skies,
+                                                 Predictor& predictor, const Plan& plan);
+
+/// "1.27 MiB": three figures.
+[[nodiscard]] std::string with_unit(double value, const char* unit);
+/// "4.2 %": two figures.
+[[nodiscard]] std::string percent(double share);
+/// "12.3 ms": three figures.
+[[nodiscard]] std::string milliseconds(double ms);
+
+}  // namespace aureole::detail

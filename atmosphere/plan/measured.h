@@ -1,0 +1,64 @@
+// What was measured of every setting (docs/measure.md), compactly: what the planner knows. The figures are in
+// measured_*.inc, which `aureole fit` writes.
+#pragma once
+
+#include "plan/situation.h"
+
+#include <aureole/setting.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace aureole::detail {
+
+/// An error in each scene, as its natural logarithm in thousandths; `unknown` where there is none.
+struct MeasuredError {
+    static constexpr std::int16_t unknown = std::numeric_limits<std::int16_t>::min();
+    double spread = 0;  ///< Of the logarithm: root of the variance that Kriging's variances are shares of.
+    std::vector<std::int16_t> by_scene;
+
+    [[nodiscard]] static std::int16_t pack(double error) {
+        return static_cast<std::int16_t>(std::lround(1000 * std::log(std::min(std::max(error, 1e-9), 1e9))));
+    }
+};
+
+/// In one air, on the machine where all were measured; milliseconds of 1280x720 pixels.
+struct MeasuredCost {
+    double composite_ms = 0;           ///< Of sky alone.
+    double composite_geometry_ms = 0;  ///< Over a host's colour and depth.
+    double view_ms = 0;                ///< Tables of the camera, without those of geometry and light.
+    double aerial_perspective_ms = 0, light_ms = 0;
+    double rebuild_ms = 0;  ///< Tables of the air.
+    double mebibytes = 0;   ///< Tables of the air and of one view; 0: not measured in this air.
+};
+
+struct MeasuredSetting {
+    Setting setting;
+    MeasuredError sky_median, sky_p95, aerial_p95;
+    std::vector<MeasuredCost> by_air;
+};
+
+struct MeasuredScene {
+    std::string id;
+    std::size_t air = 0;  ///< Index of MeasuredSkies::airs.
+    Situation situation{};
+};
+
+struct MeasuredSkies {
+    std::string device;   ///< That the costs were measured on.
+    Situation lengths{};  ///< Of Kriging.
+    double margin = 0;    ///< So many standard deviations of an estimate are added for an upper bound.
+    std::vector<std::string> airs;
+    std::vector<MeasuredScene> scenes;
+    std::vector<MeasuredSetting> settings;
+};
+
+/// The figures that come with the library: of scenes in red, green and blue, and of scenes in wavelengths.
+[[nodiscard]] const MeasuredSkies& measured_in_rgb();
+[[nodiscard]] const MeasuredSkies& measured_in_wavelengths();
+
+}  // namespace aureole::detail

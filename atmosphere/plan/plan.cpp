@@ -1,0 +1,115 @@
+#include "plan/candidates.h"
+#include "plan/choices.h"
+
+#include "common/check.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace aureole {
+namespace {
+
+using namespace detail;
+
+constexpr std::size_t nearest_named = 3;
+
+void check_range(const std::string& field, const PlanRange& range, double low, double high) {
+    check(field + ".least", range.least, low, high);
+    check(field + ".most", range.most, range.least, high);
+}
+
+const MeasuredSkies& skies_for(const PlanRequirements& requirements) {
+    return requirements.wavelengths ? measured_in_wavelengths() : measured_in_rgb();
+}
+
+/// What the view makes is what is needed.
+ViewSettings view_for(const PlanRequirements& requirements) {
+    ViewSettings view;
+    view.max_suns = requirements.suns;
+    view.aerial_perspective = requirements.geometry;
+    view.aerial_perspective_distance_m = requirements.geometry_range_m;
+    view.light = requirements.light;
+    return view;
+}
+
+/// Cheapest first; what is excluded last, as it came.
+std::vector<PlanCandidate> by_cost(std::vector<PlanCandidate> candidates) {
+    std::ranges::stable_sort(candidates, [](const PlanCandidate& a, const PlanCandidate& b) {
+        if (a.excluded.empty() != b.excluded.empty()) return a.excluded.empty();
+        return a.cost.charged_ms < b.cost.charged_ms;
+    });
+    return candidates;
+}
+
+/// The place that is least like any that was measured.
+Predictor::Nearest farthest(const Predictor& predictor, const std::vector<Situation>& places) {
+    Predictor::Nearest worst = predictor.nearest(places.front(), nearest_named);
+    for (const Situation& place : places) {
+        Predictor::Nearest here = predictor.nearest(place, nearest_named);
+        if (here.distance > worst.distance) worst = std::move(here);
+    }
+    return worst;
+}
+
+}  // namespace
+
+void validate(const PlanRequirements& r) {
+    validate(r.air);
+    check_range("sun_elevation_deg", r.sun_elevation_deg, -90, 90);
+    check_range("altitude_m", r.altitude_m, -1e4, 1e12);
+    check("geometry_range_m", r.geometry_range_m, 1e-3, 1e13);
+    check("suns", r.suns, 1, 4);
+    check("views", r.views, 1, 64);
+    check("width", r.width, 1, 65536);
+    check("height", r.height, 1, 65536);
+    check("rebuilds_per_frame", r.rebuilds_per_frame, 0, 1);
+    check("speed.composite", r.speed.composite, 1e-6, 1e6);
+    check("speed.tables", r.speed.tables, 1e-6, 1e6);
+    if (r.tolerance) check("tolerance", *r.tolerance, 1e-4, 10);
+    if (r.budget_ms) check("budget_ms", *r.budget_ms, 1e-9, 1e6);
+    if (r.budget_mib) check("budget_mib", *r.budget_mib, 1e-9, 1e6);
+    if (!r.tolerance && !r.budget_ms && !r.budget_mib)
+        reject("tolerance", "nothing", "a tolerance, or a budget in milliseconds or MiB");
+}
+
+Plan plan(const PlanRequirements& requirements) {
+    validate(requirements);
+    const MeasuredSkies& skies = skies_for(requirements);
+    Predictor predictor(skies);
+    Plan plan;
+    plan.candidates = by_cost(candidates_of(requirements, skies, predictor));
+    if (plan.candidates.empty() || !plan.candidates.front().excluded.empty())
+        throw Error(ErrorCode::unsupported, requirements.wavelengths ? "wavelengths" : "air",
+                    requirements.wavelengths ? "true" : "of these terms", "what settings were measured for");
+    const PlanCandidate& best = plan.candidates[best_of(requirements, plan.candidates)];
+    plan.setting = best.setting;
+    plan.error = best.error;
+    plan.cost = best.cost;
+    plan.tolerable = best.tolerable;
+    Prepared prepared = prepare(best.setting, requirements.air).value();
+    plan.air = std::move(prepared.air);
+    plan.model = std::move(prepared.model);
+    plan.view = view_for(requirements);
+    const Predictor::Nearest near = farthest(predictor, situations_of(requirements));
+    for (const std::size_t scene : near.scenes) plan.nearest.push_back(skies.scenes[scene].id);
+    plan.distance = near.distance;
+    plan.measured_on = skies.device;
+    plan.choices = choices_of(requirements, skies, predictor, plan);
+    return plan;
+}
+
+Setting speed_setting() { return {}; }
+
+DeviceSpeed calibrated(const SpeedSample& sample) {
+    check("composite_ms", sample.composite_ms, 1e-9, 1e9);
+    check("tables_ms", sample.tables_ms, 1e-9, 1e9);
+    const MeasuredSkies& skies = measured_in_rgb();
+    const auto air = static_cast<std::size_t>(std::ranges::find(skies.airs, "earth") - skies.airs.begin());
+    const MeasuredCost& known = std::ranges::find(skies.settings, speed_setting(), &MeasuredSetting::setting)->by_air[air];
+    const double tables_ms = known.view_ms + known.aerial_perspective_ms + known.light_ms + known.rebuild_ms;
+    const auto within = [](double factor) { return std::clamp(factor, 1e-6, 1e6); };
+    return {within(sample.composite_ms / known.composite_ms), within(sample.tables_ms / tables_ms)};
+}
+
+}  // namespace aureole

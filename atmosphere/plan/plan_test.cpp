@@ -1,0 +1,246 @@
+#include "common/rejects.h"
+#include "plan/candidates.h"
+
+#include <aureole/plan.h>
+#include <aureole/presets.h>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+
+using namespace aureole;
+using namespace aureole::detail;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+PlanRequirements earth(double tolerance) {
+    PlanRequirements needs;
+    needs.air = presets::earth();
+    needs.sun_elevation_deg = {30, 30};
+    needs.tolerance = tolerance;
+    return needs;
+}
+
+double measured(const MeasuredError& error, std::size_t scene) { return std::exp(error.by_scene[scene] / 1000.0); }
+
+/// Of the settings that were measured in this scene.
+double cheapest_that_meets(const PlanRequirements& needs, const MeasuredSkies& skies, std::size_t scene) {
+    double cheapest = std::numeric_limits<double>::infinity();
+    for (const MeasuredSetting& setting : skies.settings) {
+        const MeasuredCost& cost = setting.by_air[skies.scenes[scene].air];
+        if (cost.mebibytes == 0 || setting.sky_p95.by_scene[scene] == MeasuredError::unknown) continue;
+        if (measured(setting.sky_p95, scene) > *needs.tolerance) continue;
+        cheapest = std::min(cheapest, cost_of(needs, cost).cost.charged_ms);
+    }
+    return cheapest;
+}
+
+const PlanChoice* find(const Plan& plan, const std::string& what) {
+    const auto found = std::ranges::find(plan.choices, what, &PlanChoice::what);
+    return found == plan.choices.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+TEST_CASE("plan: bad requirements are refused by name") {
+    using Needs = PlanRequirements;
+    const std::vector<std::pair<std::string, std::function<void(Needs&)>>> mistakes{
+        {"sun_elevation_deg.least",
+         [](Needs& n) {
+             n.sun_elevation_deg = {-91, 0};
+         }},
+        {"sun_elevation_deg.most",
+         [](Needs& n) {
+             n.sun_elevation_deg = {10, 9};
+         }},
+        {"altitude_m.least",
+         [](Needs& n) {
+             n.altitude_m = {-2e4, 0};
+         }},
+        {"altitude_m.most",
+         [](Needs& n) {
+             n.altitude_m = {0, not_a_number};
+         }},
+        {"geometry_range_m", [](Needs& n) { n.geometry_range_m = 0; }},
+        {"suns", [](Needs& n) { n.suns = 5; }},
+        {"views", [](Needs& n) { n.views = 0; }},
+        {"width", [](Needs& n) { n.width = 0; }},
+        {"height", [](Needs& n) { n.height = 70000; }},
+        {"rebuilds_per_frame", [](Needs& n) { n.rebuilds_per_frame = 1.1; }},
+        {"speed.composite", [](Needs& n) { n.speed.composite = 0; }},
+        {"speed.tables", [](Needs& n) { n.speed.tables = not_a_number; }},
+        {"tolerance", [](Needs& n) { n.tolerance = 0; }},
+        {"budget_ms", [](Needs& n) { n.budget_ms = -1; }},
+        {"budget_mib", [](Needs& n) { n.budget_mib = not_a_number; }},
+        {"tolerance", [](Needs& n) { n.tolerance.reset(); }},
+        {"planet.bottom_radius_m", [](Needs& n) { n.air.planet.bottom_radius_m = 0; }},
+    };
+    for (const auto& [field, mistake] : mistakes) {
+        PlanRequirements needs = earth(0.02);
+        mistake(needs);
+        CHECK(rejected_field([&] { (void)plan(needs); }) == field);
+    }
+    CHECK(rejected_field([] { (void)calibrated({0, 1}); }) == "composite_ms");
+    CHECK(rejected_field([] { (void)calibrated({1, not_a_number}); }) == "tables_ms");
+}
+
+TEST_CASE("plan: in every measured scene, for every tolerance, it is the cheapest measured setting that meets it") {
+    const MeasuredSkies& skies = measured_in_rgb();
+    Predictor predictor(skies);
+    std::size_t planned = 0;
+    for (std::size_t scene = 0; scene < skies.scenes.size(); ++scene)
+        for (const double tolerance : {0.005, 0.0075, 0.01, 0.015, 0.02, 0.03, 0.05, 0.075, 0.1, 0.15, 0.2}) {
+            PlanRequirements needs = earth(tolerance);
+            const double cheapest = cheapest_that_meets(needs, skies, scene);
+            // What plan() does with these figures, at the very place of the scene.
+            std::vector<PlanCandidate> candidates;
+            for (const MeasuredSetting& setting : skies.settings) {
+                PlanCandidate& one = candidates.emplace_back();
+                one.setting = setting.setting;
+                const auto error = predictor.predict(setting.sky_p95, skies.scenes[scene].situation);
+                const auto cost = predictor.cost(setting, skies.scenes[scene].situation);
+                const bool here = setting.sky_p95.by_scene[scene] != MeasuredError::unknown &&
+                                  setting.by_air[skies.scenes[scene].air].mebibytes > 0;
+                if (!here || !error || !cost) {
+                    one.excluded = "was not measured";
+                    continue;
+                }
+                one.error = {0, error->likely, error->bound};
+                one.cost = cost_of(needs, *cost).cost;
+                // Packed in thousandths, and kept in four figures: a bound right on the tolerance may fall on either side.
+                one.tolerable = error->bound <= tolerance * 1.002;
+            }
+            const PlanCandidate& best = candidates[best_of(needs, candidates)];
+            INFO(skies.scenes[scene].id, " at ", tolerance, ": ", best.setting.id());
+            CHECK(best.tolerable == std::isfinite(cheapest));
+            if (!best.tolerable) continue;
+            CHECK(best.cost.charged_ms <= 1.15 * cheapest);
+            ++planned;
+        }
+    CHECK(planned > skies.scenes.size());
+}
+
+TEST_CASE("plan: what it returns can be drawn as it is, and says what it does without") {
+    PlanRequirements needs = earth(0.03);
+    const Plan bare = plan(needs);
+    REQUIRE(bare.tolerable);
+    CHECK(bare.error.bound <= 0.03);
+    CHECK(bare.error.p95 <= bare.error.bound);
+    CHECK(bare.model);
+    CHECK_FALSE(bare.view.aerial_perspective);
+    CHECK(bare.view.light);
+    REQUIRE(find(bare, "aerial perspective"));
+    CHECK(find(bare, "aerial perspective")->chosen == "left out");
+    REQUIRE(find(bare, "term rayleigh"));
+    CHECK(bare.air.terms.size() + bare.setting.without.size() >= needs.air.terms.size());
+
+    needs.geometry = true;
+    needs.geometry_range_m = 12345;
+    needs.light = false;
+    needs.suns = 2;
+    const Plan full = plan(needs);
+    CHECK(full.view.aerial_perspective);
+    CHECK(full.view.aerial_perspective_distance_m == 12345);
+    CHECK_FALSE(full.view.light);
+    CHECK(full.view.max_suns == 2);
+    CHECK(find(full, "aerial perspective")->chosen == "recorded");
+    CHECK(find(full, "light")->chosen == "left out");
+    for (const Plan* each : {&bare, &full}) {
+        const std::string text = each->text();
+        for (const PlanChoice& choice : each->choices)
+            CHECK(text.find(choice.what + ": " + choice.chosen) != std::string::npos);
+        CHECK(std::ranges::is_sorted(each->candidates, {}, [](const PlanCandidate& one) {
+            return one.excluded.empty() ? one.cost.charged_ms : std::numeric_limits<double>::infinity();
+        }));
+    }
+}
+
+TEST_CASE("plan: looser tolerances cost no more, tighter budgets err no less") {
+    double before = std::numeric_limits<double>::infinity();
+    for (const double tolerance : {0.02, 0.05, 0.1, 0.2, 0.5}) {
+        const Plan found = plan(earth(tolerance));
+        if (!found.tolerable) continue;
+        CHECK(found.cost.charged_ms <= 1.1 * before);  // what costs the same within a tenth is the same
+        before = found.cost.charged_ms;
+    }
+    PlanRequirements needs = earth(0.01);
+    needs.tolerance.reset();
+    double error = 0;
+    for (const double budget : {200.0, 40.0, 25.0, 22.0}) {
+        needs.budget_ms = budget;
+        const Plan found = plan(needs);
+        REQUIRE(found.tolerable);
+        CHECK(found.cost.charged_ms <= budget);
+        CHECK(found.error.bound >= error / 1.1);
+        error = found.error.bound;
+    }
+    needs.budget_ms = 1e-3;
+    CHECK_FALSE(plan(needs).tolerable);
+    CHECK(plan(needs).text().find("does NOT meet") != std::string::npos);
+}
+
+TEST_CASE("plan: what the air, the views and the device are like counts") {
+    const Plan once = plan(earth(0.05));
+    PlanRequirements needs = earth(0.05);
+    needs.views = 2;
+    CHECK(plan(needs).cost.frame_ms == doctest::Approx(2 * once.cost.frame_ms).epsilon(1e-9).scale(1e-300));
+    needs = earth(0.05);
+    needs.speed = {0.01, 0.01};
+    CHECK(plan(needs).cost.frame_ms == doctest::Approx(once.cost.frame_ms / 100).epsilon(1e-9).scale(1e-300));
+    // Where tables are made anew each frame, their cost is charged.
+    needs = earth(0.05);
+    needs.rebuilds_per_frame = 1;
+    const Plan changing = plan(needs);
+    CHECK(changing.cost.charged_ms ==
+          doctest::Approx(changing.cost.frame_ms + changing.cost.rebuild_ms).epsilon(1e-9).scale(1e-300));
+    CHECK(changing.setting.model != "bruneton");
+    // A day that ends in twilight is harder than its noon.
+    needs = earth(0.05);
+    needs.sun_elevation_deg = {-6, 60};
+    const Plan evening = plan(needs);
+    for (const PlanCandidate& one : evening.candidates)
+        if (one.setting == once.setting) CHECK(one.error.bound >= once.error.bound);
+    // Mars has no ozone to leave out.
+    needs.air = presets::mars();
+    for (const PlanCandidate& one : plan(needs).candidates)
+        if (one.setting.leaves_out("ozone")) CHECK_FALSE(one.excluded.empty());
+    // Fog has no shadows.
+    needs = earth(0.05);
+    needs.shadows = true;
+    for (const PlanCandidate& one : plan(needs).candidates)
+        if (one.setting.model == "fog") CHECK(one.excluded == "has no shadows in the air");
+}
+
+TEST_CASE("plan: far from all that was measured it says so, and its bound is wide") {
+    PlanRequirements needs = earth(0.05);
+    const Plan known = plan(needs);
+    CHECK(known.distance < 1);
+    needs.air.planet = {1e3, 10e3, Rgb(1)};
+    for (DensityTerm& term : needs.air.terms) {
+        term.profile = ExponentialProfile{5000};
+        term.scattering_per_m *= 1000;
+    }
+    const Plan strange = plan(needs);
+    CHECK(strange.distance > known.distance);
+    CHECK(strange.error.bound / strange.error.p95 > known.error.bound / known.error.p95);
+}
+
+TEST_CASE("plan: its own machine is calibrated to 1") {
+    const MeasuredSkies& skies = measured_in_rgb();
+    const auto air = static_cast<std::size_t>(std::ranges::find(skies.airs, "earth") - skies.airs.begin());
+    REQUIRE(air < skies.airs.size());
+    const auto setting = std::ranges::find(skies.settings, speed_setting(), &MeasuredSetting::setting);
+    REQUIRE(setting != skies.settings.end());
+    const MeasuredCost& cost = setting->by_air[air];
+    const DeviceSpeed speed =
+        calibrated({cost.composite_ms, cost.view_ms + cost.aerial_perspective_ms + cost.light_ms + cost.rebuild_ms});
+    CHECK(speed.composite == doctest::Approx(1).epsilon(1e-9).scale(1e-300));
+    CHECK(speed.tables == doctest::Approx(1).epsilon(1e-9).scale(1e-300));
+    CHECK(calibrated({cost.composite_ms / 50, 1}).composite == doctest::Approx(0.02).epsilon(1e-9).scale(1e-300));
+}

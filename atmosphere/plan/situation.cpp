@@ -1,0 +1,55 @@
+#include "plan/situation.h"
+
+#include "multi_scatter/angular_order.h"
+#include "multi_scatter/order_ratio.h"
+#include "plan/axes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aureole::detail {
+namespace {
+
+double mean(const Rgb& c) { return (c.r + c.g + c.b) / 3; }
+
+/// Of extinction: the depth of the column over what there is of it at its densest, of a few altitudes.
+double scale_height(const AtmosphereParameters& parameters, double thickness_m) {
+    double densest = 0;
+    for (int i = 0; i < 64; ++i)
+        densest = std::max(densest, mean(sample_medium(parameters, thickness_m * i / 64).extinction_per_m));
+    const double depth = mean(vertical_optical_depth(parameters));
+    return densest > 0 && depth > 0 ? std::clamp(depth / densest, thickness_m / 64, thickness_m) : thickness_m;
+}
+
+}  // namespace
+
+AirCoordinates::AirCoordinates(const AtmosphereParameters& parameters)
+    : thickness_m_(parameters.planet.top_radius_m - parameters.planet.bottom_radius_m),
+      radius_m_(parameters.planet.bottom_radius_m) {
+    scale_height_m_ = scale_height(parameters, thickness_m_);
+    AtmosphereParameters scattering = parameters;
+    for (DensityTerm& term : scattering.terms) term.absorption_per_m = Rgb(0);
+    const double extinction = mean(vertical_optical_depth(parameters)), depth = mean(vertical_optical_depth(scattering));
+    const double sharp = scattered_moments(parameters)[3];
+    air_ = {0,
+            0,
+            0,
+            std::log(0.01 + depth),
+            std::log(0.002 + sharp),
+            std::log(0.005 + std::max(extinction - depth, 0.0)),
+            extinction > 0 ? 4 * depth / extinction : 4,
+            4 * order_ratio(parameters),
+            2 * mean(parameters.planet.ground_albedo),
+            std::log(scale_height_m_ / radius_m_)};
+}
+
+Situation AirCoordinates::at(double sun_elevation_deg, double altitude_m) const {
+    Situation result = air_;
+    const double altitude = std::max(altitude_m, 0.0);
+    result[0] = sun_axis(sun_elevation_deg);
+    result[1] = std::min(altitude / scale_height_m_, 8.0);
+    result[2] = std::log1p(20 * std::max(altitude - thickness_m_, 0.0) / radius_m_);
+    return result;
+}
+
+}  // namespace aureole::detail

@@ -1,0 +1,240 @@
+#include <aureole/planned_sky.h>
+
+#include <doctest/doctest.h>
+
+#include "common/rejects.h"
+#include "passes/rig.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+using namespace aureole;
+using namespace aureole::passes;
+using detail::rejected_field;
+
+namespace {
+
+constexpr rhi::Extent extent{16, 9, 1};
+constexpr std::uint32_t fade_frames = 5;
+
+/// Day to dusk at the ground; tables anew each frame, so that no plan takes seconds.
+PlanRequirements day_and_dusk(double tolerance) {
+    PlanRequirements needs;
+    needs.air = presets::earth();
+    needs.sun_elevation_deg = {-6, 70};
+    needs.altitude_m = {2, 2};
+    needs.rebuilds_per_frame = 1;
+    needs.tolerance = tolerance;
+    return needs;
+}
+
+struct TwoHours {
+    double tolerance = 0, first_deg = 0, then_deg = 0;
+};
+
+/// Two elevations of the sun that are planned for differently.
+TwoHours two_hours() {
+    for (const double tolerance : {0.03, 0.05, 0.1, 0.2, 0.5}) {
+        PlanRequirements needs = day_and_dusk(tolerance);
+        needs.sun_elevation_deg = {50, 50};
+        const Setting by_day = plan(needs).setting;
+        for (const double then : {5.0, 1.0, -2.0, -4.0}) {
+            needs.sun_elevation_deg = {then, then};
+            if (!(plan(needs).setting == by_day)) return {tolerance, 50, then};
+        }
+    }
+    FAIL("every hour has the same plan");
+    return {};
+}
+
+/// A planned sky, and a target to show it in.
+struct Shown {
+    Shown(Backend& backend_in, double tolerance, bool raster, std::uint32_t frames = fade_frames)
+        : backend(backend_in),
+          state(raster ? rhi::State::color_attachment : rhi::State::storage_write),
+          sky(backend.device(), day_and_dusk(tolerance),
+              {.target_format = rhi::Format::rgba32_float, .raster = raster, .exposure = 10},
+              {.margin = 0.1, .fade_frames = frames}) {
+        targets.extent = extent;
+        targets.target = backend.make_target(rhi::Format::rgba32_float, extent, state);
+    }
+    PlanUpdate update(double sun_deg) {
+        const Sun sun = sun_at(sun_deg);
+        return sky.update(camera_at(presets::earth().planet, 2), {&sun, 1});
+    }
+    Image show() {
+        backend.run([&](rhi::CommandList& commands) {
+            sky.record(commands);
+            sky.record_composite(commands, targets);
+        });
+        return backend.read(targets.target, state);
+    }
+    Backend& backend;
+    rhi::State state;
+    PlannedSky sky;
+    CompositeTargets targets;
+};
+
+double greatest_step(const Image& a, const Image& b) {
+    double greatest = 0;
+    for (std::size_t i = 0; i < a.texels.size(); ++i)
+        for (int c = 0; c < 4; ++c) greatest = std::max(greatest, std::abs(a.texels[i][c] - b.texels[i][c]));
+    return greatest;
+}
+
+/// What the plan draws, by itself.
+Image alone(Backend& backend, const Plan& plan, const CompositeSettings& composite, double sun_deg) {
+    Setup setup;
+    setup.air = plan.air;
+    setup.model = plan.model;
+    setup.view = plan.view;
+    setup.composite = composite;
+    Rig rig(backend, setup);
+    rig.record_air();
+    rig.record_view(camera_at(plan.air.planet, 2), sun_at(sun_deg));
+    return rig.show(extent);
+}
+
+void check_fade(Backend& backend, bool raster) {
+    const TwoHours hours = two_hours();
+    Shown shown(backend, hours.tolerance, raster);
+    const CompositeSettings composite{.target_format = rhi::Format::rgba32_float, .raster = raster, .exposure = 10};
+    shown.sky.prepare_composite(shown.targets);
+    PlanUpdate update = shown.update(hours.first_deg);
+    CHECK(update.planned);
+    CHECK(update.changes.empty());  // nothing was shown before
+    CHECK(update.share == 1);
+    const Plan by_day = shown.sky.plan();
+    CHECK(shown.show() == alone(backend, by_day, composite, hours.first_deg));
+    CHECK_FALSE(shown.update(hours.first_deg).planned);
+
+    update = shown.update(hours.then_deg);
+    REQUIRE(update.planned);
+    REQUIRE_FALSE(update.changes.empty());
+    CHECK(update.share == 0);
+    const Plan after = shown.sky.plan();
+    CHECK_FALSE(after.setting == by_day.setting);
+    const Image old_sky = alone(backend, by_day, composite, hours.then_deg);
+    const Image new_sky = alone(backend, after, composite, hours.then_deg);
+    const double whole = greatest_step(old_sky, new_sky);
+    REQUIRE(whole > 0);
+    Image before = shown.show();
+    CHECK(before == old_sky);
+    for (std::uint32_t frame = 1; frame <= fade_frames; ++frame) {
+        update = shown.update(hours.then_deg);
+        CHECK_FALSE(update.planned);
+        CHECK(update.share == doctest::Approx(double(frame) / fade_frames).epsilon(1e-12).scale(1e-300));
+        const Image now = shown.show();
+        CHECK(greatest_step(before, now) <= 1.01 * whole / fade_frames + 1e-6);
+        CHECK(greatest_step(now, new_sky) <= (1 - update.share) * whole * 1.01 + 1e-6);
+        before = now;
+    }
+    CHECK(before == new_sky);
+    CHECK(shown.sky.plan().setting == after.setting);
+}
+
+}  // namespace
+
+TEST_CASE("planned sky: where the hour calls for another plan, the old sky gives way to the new one without a jump") {
+    for (const auto& backend : {open_cpu_float(), open_vulkan()}) {
+        if (!backend) continue;
+        INFO(backend->name());
+        for (const bool raster : {false, true}) check_fade(*backend, raster);
+    }
+}
+
+TEST_CASE("planned sky: nothing is left of the old sky once it is gone, nor of targets that are released") {
+    const auto backend = open_cpu_float();
+    const TwoHours hours = two_hours();
+    Shown shown(*backend, hours.tolerance, false, 1);
+    shown.sky.prepare_composite(shown.targets);
+    (void)shown.update(hours.first_deg);
+    (void)shown.show();
+    const std::uint64_t one = shown.sky.table_bytes();
+    (void)shown.update(hours.then_deg);
+    CHECK(shown.sky.table_bytes() > one);
+    (void)shown.show();
+    (void)shown.update(hours.then_deg);
+    (void)shown.show();
+    PlanRequirements needs = day_and_dusk(hours.tolerance);
+    Atmosphere air(backend->device(), shown.sky.plan().air, shown.sky.plan().model);
+    View view(air, shown.sky.plan().view, {.target_format = rhi::Format::rgba32_float});
+    CHECK(shown.sky.table_bytes() == air.table_bytes() + view.table_bytes());
+    CHECK(shown.sky.light_table());
+    shown.sky.release_composite(shown.targets);
+    shown.sky.prepare_composite(shown.targets);
+    (void)shown.show();
+}
+
+TEST_CASE("planned sky: without frames to fade over the new sky is shown as soon as it is ready") {
+    const auto backend = open_cpu_float();
+    const TwoHours hours = two_hours();
+    Shown shown(*backend, hours.tolerance, false, 0);
+    shown.sky.prepare_composite(shown.targets);
+    (void)shown.update(hours.first_deg);
+    (void)shown.show();
+    CHECK_FALSE(shown.update(hours.then_deg).changes.empty());
+    (void)shown.show();  // the new one's tables
+    (void)shown.update(hours.then_deg);
+    const CompositeSettings composite{.target_format = rhi::Format::rgba32_float, .exposure = 10};
+    CHECK(shown.show() == alone(*backend, shown.sky.plan(), composite, hours.then_deg));
+}
+
+TEST_CASE("planned sky: a recording that is dropped is made up for, also during a fade") {
+    const auto backend = open_cpu_float();
+    const TwoHours hours = two_hours();
+    Shown shown(*backend, hours.tolerance, false), wanted(*backend, hours.tolerance, false);
+    for (Shown* one : {&shown, &wanted}) {
+        one->sky.prepare_composite(one->targets);
+        for (const double hour : {hours.first_deg, hours.then_deg, hours.then_deg}) {
+            (void)one->update(hour);
+            (void)one->show();
+        }
+    }
+    shown.sky.invalidate();
+    CHECK(shown.show() == wanted.show());
+}
+
+TEST_CASE("planned sky: other air is planned for, and shown") {
+    const auto backend = open_cpu_float();
+    Shown shown(*backend, 0.2, false, 0);
+    shown.sky.prepare_composite(shown.targets);
+    (void)shown.update(40);
+    (void)shown.show();
+    AtmosphereParameters air = presets::earth();
+    air.planet.ground_albedo = Rgb(0.7);
+    shown.sky.set_air(air);
+    CHECK(shown.update(40).planned);
+    (void)shown.show();
+    (void)shown.update(40);
+    CHECK(shown.sky.plan().air.planet.ground_albedo == Rgb(0.7));
+    const CompositeSettings composite{.target_format = rhi::Format::rgba32_float, .exposure = 10};
+    CHECK(shown.show() == alone(*backend, shown.sky.plan(), composite, 40));
+}
+
+TEST_CASE("planned sky: what it is given is checked, and nothing changes") {
+    const auto backend = open_cpu_float();
+    constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+    const auto with = [&](const FollowSettings& follow) {
+        return rejected_field([&] { PlannedSky(backend->device(), day_and_dusk(0.1), {}, follow); });
+    };
+    CHECK(with({.margin = 0}) == "follow.margin");
+    CHECK(with({.margin = not_a_number}) == "follow.margin");
+    CHECK(with({.fade_frames = 100001}) == "follow.fade_frames");
+    CHECK(with({.passes_per_frame = 65}) == "follow.passes_per_frame");
+    PlannedSky sky(backend->device(), day_and_dusk(0.1));
+    const Camera camera = camera_at(presets::earth().planet, 2);
+    Sun bad = sun_at(20);
+    bad.irradiance.r = not_a_number;
+    CHECK(rejected_field([&] { (void)sky.update(camera, {&bad, 1}); }) == "sun.irradiance.r");
+    const std::vector<Sun> many(2, sun_at(20));
+    CHECK(rejected_field([&] { (void)sky.update(camera, many); }) == "suns");
+    AtmosphereParameters air = presets::earth();
+    air.planet.bottom_radius_m = 0;
+    CHECK(rejected_field([&] { sky.set_air(air); }) == "planet.bottom_radius_m");
+    CHECK(rejected_field([&] { sky.set_exposure(0); }) == "composite.exposure");
+    CHECK_NOTHROW((void)sky.update(camera, {}));  // night
+    CHECK(sky.plan().air.planet == presets::earth().planet);
+}

@@ -1,0 +1,77 @@
+#include "app/commands.h"
+#include "io/file.h"
+#include "measure/fit.h"
+
+#include <aureole/rhi/error.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace aureole::app {
+namespace {
+
+struct FitCommand {
+    std::vector<std::filesystem::path> measurements;
+    std::filesystem::path out;
+    std::uint32_t seed = 1;
+};
+
+nlohmann::json read_measurements(const std::filesystem::path& path) {
+    nlohmann::json measured = nlohmann::json::parse(read_text(path), nullptr, false);
+    if (measured.is_object()) return measured;
+    throw Error(ErrorCode::invalid_argument, path.string(), "not JSON", "a measurements.json of `aureole measure`");
+}
+
+void print_coverage(const char* name, const detail::MeasuredSkies& skies, std::uint32_t seed) {
+    const std::vector<std::size_t> held_out = drawn_third(skies, seed);
+    const Coverage found = coverage(skies, held_out);
+    std::printf(
+        "%s: %zu scenes, %zu settings; fitted without %zu scenes (seed %u), of %zu errors there %.1f %% are at or below "
+        "their bound; bound / measured %.2f, |likely / measured| off by %.0f %% (medians)\n",
+        name, skies.scenes.size(), skies.settings.size(), held_out.size(), seed, found.predictions, 100 * found.below_bound,
+        found.median_excess, 100 * (std::exp(found.median_off) - 1));
+}
+
+void run_fit(const FitCommand& command) {
+    std::vector<nlohmann::json> measurements;
+    for (const std::filesystem::path& path : command.measurements) measurements.push_back(read_measurements(path));
+    for (const bool wavelengths : {false, true}) {
+        detail::MeasuredSkies skies = gather(measurements, wavelengths);
+        const char* name = wavelengths ? "wavelengths" : "rgb";
+        if (skies.scenes.empty()) {
+            std::printf("%s: no scenes\n", name);
+            continue;
+        }
+        print_coverage(name, skies, command.seed);
+        fit(skies);
+        std::printf("%s: fitted to all; margin %.2f standard deviations; lengths", name, skies.margin);
+        for (std::size_t i = 0; i < skies.lengths.size(); ++i)
+            std::printf("%s %s %.3g", i == 0 ? "" : ",", std::string(detail::situation_axes[i]).c_str(), skies.lengths[i]);
+        std::printf("\n");
+        if (command.out.empty()) continue;
+        const std::filesystem::path file = command.out / (std::string("measured_") + name + ".inc");
+        write_text(file, print_initializer(skies));
+        std::printf("%s\n", file.c_str());
+    }
+}
+
+}  // namespace
+
+void add_fit_command(CLI::App& program) {
+    auto options = std::make_shared<FitCommand>();
+    CLI::App* command = program.add_subcommand(
+        "fit", "Makes the planner's table from measurements, and says how its predictions hold in scenes that it has not seen");
+    command
+        ->add_option("measurements", options->measurements,
+                     "measurements.json of `aureole measure`, one or several; of what occurs twice the later counts")
+        ->required();
+    command->add_option("-o,--out", options->out,
+                        "Folder for measured_rgb.inc and measured_wavelengths.inc (the library's: atmosphere/plan); none: "
+                        "nothing is written");
+    command->add_option("--seed", options->seed, "Draws the third of the scenes that is held out")->capture_default_str();
+    command->callback([options] { run_fit(*options); });
+}
+
+}  // namespace aureole::app

@@ -1,0 +1,178 @@
+#include "measure/fit.h"
+
+#include "app/quantile.h"
+#include "plan/predict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace aureole::app {
+namespace {
+
+using detail::Kriging;
+using detail::MeasuredError;
+using detail::MeasuredSetting;
+using detail::MeasuredSkies;
+using detail::Situation;
+
+constexpr double shortest = 0.05, longest = 500;  // of lengths
+constexpr double covered = 0.97;                  // by the margin, of scenes that are left out
+constexpr double least_spread = 1e-3;
+constexpr std::size_t fewest_points = 4;  // of a fit
+constexpr double usual = 3;               // length where scenes do not tell
+constexpr double kinds = 3;               // errors of all settings tell as much as so many that had nothing in common
+
+std::vector<std::size_t> all_of(std::size_t count) {
+    std::vector<std::size_t> result(count);
+    std::iota(result.begin(), result.end(), std::size_t{0});
+    return result;
+}
+
+/// Errors that are known in the same scenes.
+struct Family {
+    std::vector<std::size_t> scenes;
+    std::vector<Situation> places;
+    std::vector<MeasuredError*> errors;
+    std::vector<std::vector<double>> values;  // by error
+};
+
+std::vector<Family> families(MeasuredSkies& skies, const std::vector<std::size_t>& scenes) {
+    std::map<std::vector<std::size_t>, Family> by_scenes;
+    for (MeasuredSetting& setting : skies.settings)
+        for (MeasuredError* error : {&setting.sky_median, &setting.sky_p95, &setting.aerial_p95}) {
+            std::vector<std::size_t> known;
+            for (const std::size_t i : scenes)
+                if (error->by_scene[i] != MeasuredError::unknown) known.push_back(i);
+            error->spread = 0;
+            if (known.size() < fewest_points) continue;
+            Family& family = by_scenes[known];
+            std::vector<double>& values = family.values.emplace_back();
+            for (const std::size_t i : known) values.push_back(error->by_scene[i] / 1000.0);
+            family.errors.push_back(error);
+            family.scenes = std::move(known);
+        }
+    std::vector<Family> result;
+    for (auto& [known, family] : by_scenes) {
+        for (const std::size_t i : known) family.places.push_back(skies.scenes[i].situation);
+        result.push_back(std::move(family));
+    }
+    return result;
+}
+
+double mean_square(const std::vector<double>& residuals, const std::vector<double>& variances) {
+    double sum = 0;
+    for (std::size_t i = 0; i < residuals.size(); ++i) sum += residuals[i] * residuals[i] / variances[i];
+    return sum / static_cast<double>(residuals.size());
+}
+
+/// Minus the logarithm of the pseudo-likelihood, with the spread that is best for each error, and of what is likely for
+/// lengths beforehand; less is better.
+double misfit(const std::vector<Family>& all, const Situation& lengths) {
+    double sum = 0, errors = 0;
+    for (const Family& family : all) {
+        errors += static_cast<double>(family.values.size());
+        const Kriging kriging(family.places, lengths);
+        const std::vector<double> variances = kriging.left_out_variances();
+        double logarithms = 0;
+        for (const double variance : variances) logarithms += std::log(variance);
+        for (const std::vector<double>& values : family.values) {
+            const double square = mean_square(kriging.left_out_residuals(values, variances), variances);
+            sum += (static_cast<double>(values.size()) * std::log(std::max(square, 1e-12)) + logarithms) / 2;
+        }
+    }
+    sum *= kinds / errors;
+    for (const double length : lengths) sum += std::pow(std::log(length / usual), 2) / 2;
+    return sum;
+}
+
+/// Axis by axis, with steps that shrink.
+Situation best_lengths(const std::vector<Family>& all) {
+    Situation lengths;
+    lengths.fill(usual);
+    double best = misfit(all, lengths);
+    for (double factor = 3; factor > 1.15; factor = std::sqrt(factor))
+        for (bool better = true; better;) {
+            better = false;
+            for (double& length : lengths)
+                for (const double step : {factor, 1 / factor}) {
+                    const double before = std::exchange(length, std::clamp(length * step, shortest, longest));
+                    const double now = misfit(all, lengths);
+                    const bool keep = now < best - 1e-4;
+                    if (keep) best = now;
+                    if (!keep) length = before;
+                    better |= keep;
+                }
+        }
+    return lengths;
+}
+
+/// FNV-1a.
+std::uint32_t hash_of(const std::string& text, std::uint32_t seed) {
+    std::uint32_t hash = 2166136261U ^ (seed * 2654435761U);
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+    return hash ^ hash >> 15;
+}
+
+}  // namespace
+
+void fit(MeasuredSkies& skies, const std::vector<std::size_t>& scenes) {
+    std::vector<Family> all = families(skies, scenes.empty() ? all_of(skies.scenes.size()) : scenes);
+    skies.lengths.fill(usual);
+    skies.margin = 2;
+    if (all.empty()) return;
+    skies.lengths = best_lengths(all);
+    std::vector<double> standardized;
+    for (Family& family : all) {
+        const Kriging kriging(family.places, skies.lengths);
+        const std::vector<double> variances = kriging.left_out_variances();
+        for (std::size_t k = 0; k < family.errors.size(); ++k) {
+            const std::vector<double> residuals = kriging.left_out_residuals(family.values[k], variances);
+            MeasuredError& error = *family.errors[k];
+            error.spread = std::max(std::sqrt(mean_square(residuals, variances)), least_spread);
+            for (std::size_t i = 0; i < residuals.size(); ++i)
+                standardized.push_back(residuals[i] / (error.spread * std::sqrt(variances[i])));
+        }
+    }
+    std::ranges::sort(standardized);
+    skies.margin = std::max(quantile(standardized, covered), 0.1);
+}
+
+std::vector<std::size_t> drawn_third(const MeasuredSkies& skies, std::uint32_t seed) {
+    std::vector<std::size_t> order = all_of(skies.scenes.size());
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return hash_of(skies.scenes[i].id, seed); });
+    order.resize(order.size() / 3);
+    std::ranges::sort(order);
+    return order;
+}
+
+Coverage coverage(const MeasuredSkies& skies, const std::vector<std::size_t>& held_out) {
+    MeasuredSkies fitted = skies;
+    std::vector<std::size_t> seen;
+    for (std::size_t i = 0; i < skies.scenes.size(); ++i)
+        if (!std::ranges::binary_search(held_out, i)) seen.push_back(i);
+    fit(fitted, seen);
+    detail::Predictor predictor(fitted, seen);
+    std::vector<double> excess, off;
+    std::size_t below = 0;
+    for (const std::size_t i : held_out)
+        for (const MeasuredSetting& setting : fitted.settings)
+            for (const MeasuredError* error : {&setting.sky_p95, &setting.aerial_p95}) {
+                if (error->by_scene[i] == MeasuredError::unknown) continue;
+                const auto predicted = predictor.predict(*error, skies.scenes[i].situation);
+                if (!predicted) continue;
+                const double measured = std::exp(error->by_scene[i] / 1000.0);
+                excess.push_back(predicted->bound / measured);
+                off.push_back(std::abs(std::log(predicted->likely / measured)));
+                if (excess.back() >= 1) ++below;
+            }
+    if (excess.empty()) return {};
+    std::ranges::sort(excess);
+    std::ranges::sort(off);
+    return {excess.size(), static_cast<double>(below) / static_cast<double>(excess.size()), quantile(excess, 0.5),
+            quantile(off, 0.5)};
+}
+
+}  // namespace aureole::app

@@ -1,0 +1,171 @@
+#include "measure/fit.h"
+
+#include "io/test_files.h"
+#include "plan/predict.h"
+
+#include <aureole/rhi/error.h>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace aureole;
+using namespace aureole::app;
+using detail::MeasuredError;
+using detail::MeasuredSkies;
+using detail::Situation;
+using nlohmann::json;
+
+namespace {
+
+json figures(double median, double p95) { return {{"rows", 10}, {"median", median}, {"p95", p95}, {"max", p95}}; }
+json spread(double ms) { return {{"median", ms}, {"p10", ms}, {"p90", ms}}; }
+
+json scene(const std::string& id, const std::string& spectral, double sun) {
+    Situation place{};
+    place[0] = sun;
+    return {{"id", id}, {"class", "Day"}, {"air", "earth"}, {"situation", place}, {"spectral", spectral}};
+}
+
+json setting(const std::string& model, const std::string& spectral, const json& without) {
+    return {{"id", Setting{model, "default", spectral, without}.id()},
+            {"model", model},
+            {"quality", "default"},
+            {"spectral", spectral},
+            {"without", without}};
+}
+
+json measured() {
+    json out{{"cost_device", "a device"},
+             {"scenes", {scene("a", "rgb", 0), scene("b", "rgb", 1), scene("c", "40", 1)}},
+             {"settings",
+              {setting("fog", "rgb", json::array()), setting("aureole", "rgb", {"ozone"}),
+               setting("aureole", "4", json::array()), setting("reference", "rgb", json::array())}}};
+    const auto result = [&](const char* place, const char* what, json regions) {
+        out["results"].push_back({{"scene", place}, {"setting", what}, {"regions", std::move(regions)}});
+    };
+    result("a", "fog default", {{"all", figures(0.5, 2)}, {"aerial", figures(0.1, 0.3)}});
+    result("b", "fog default", {{"all", figures(0.4, 1)}});
+    result("b", "aureole default, without ozone", {{"all", figures(0.01, 0.02)}, {"aerial", {{"rows", 0}}}});
+    result("c", "aureole default 4", {{"all", figures(0.001, 0.002)}});
+    result("a", "reference default", {{"all", figures(0, 0)}});
+    out["costs"].push_back({{"air", "earth"},
+                            {"setting", "fog default"},
+                            {"per_frame_ms", spread(10)},
+                            {"composite_ms", spread(7)},
+                            {"composite_geometry_ms", spread(9)},
+                            {"aerial_perspective_ms", spread(1)},
+                            {"light_ms", spread(0.5)},
+                            {"rebuild_ms", spread(8)},
+                            {"bytes", 1048576}});
+    return out;
+}
+
+/// A field that is known everywhere, at places drawn evenly.
+MeasuredSkies invented(std::size_t scenes) {
+    MeasuredSkies skies;
+    skies.airs = {"air"};
+    detail::MeasuredSetting& setting = skies.settings.emplace_back();
+    setting.by_air.resize(1);
+    std::uint32_t state = 1;
+    const auto random = [&] {
+        state = state * 1664525U + 1013904223U;
+        return (state >> 8) / 16777216.0;
+    };
+    for (std::size_t i = 0; i < scenes; ++i) {
+        detail::MeasuredScene& scene = skies.scenes.emplace_back();
+        scene.id = "scene" + std::to_string(i);
+        scene.situation[0] = 6 * random();
+        scene.situation[3] = 3 * random();
+        const double logarithm = std::sin(scene.situation[0]) + 0.5 * scene.situation[3] - 3;
+        for (MeasuredError* error : {&setting.sky_median, &setting.sky_p95, &setting.aerial_p95})
+            error->by_scene.push_back(MeasuredError::pack(std::exp(logarithm)));
+    }
+    return skies;
+}
+
+}  // namespace
+
+TEST_CASE("gather: scenes by their colours, settings with what is known of them, costs by their parts") {
+    const json one = measured();
+    const MeasuredSkies rgb = gather({&one, 1}, false), wavelengths = gather({&one, 1}, true);
+    CHECK(rgb.device == "a device");
+    REQUIRE(rgb.scenes.size() == 2);
+    CHECK(rgb.scenes[1].situation[0] == 1);
+    REQUIRE(rgb.settings.size() == 2);  // reference is no choice
+    CHECK(rgb.settings[0].setting == Setting{"fog", "default", "rgb", {}});
+    CHECK(rgb.settings[0].sky_p95.by_scene == std::vector<std::int16_t>{MeasuredError::pack(2), 0});
+    CHECK(rgb.settings[0].aerial_p95.by_scene == std::vector{MeasuredError::pack(0.3), MeasuredError::unknown});
+    CHECK(rgb.settings[1].setting.without == std::vector<std::string>{"ozone"});
+    CHECK(rgb.settings[1].sky_median.by_scene == std::vector{MeasuredError::unknown, MeasuredError::pack(0.01)});
+    CHECK(rgb.settings[1].by_air.at(0).mebibytes == 0);
+    const detail::MeasuredCost& cost = rgb.settings[0].by_air.at(0);
+    CHECK(cost.composite_ms == 7);
+    CHECK(cost.composite_geometry_ms == 9);
+    CHECK(cost.view_ms == 1.5);
+    CHECK(cost.rebuild_ms == 5);
+    CHECK(cost.mebibytes == 1);
+    REQUIRE(wavelengths.scenes.size() == 1);
+    REQUIRE(wavelengths.settings.size() == 1);
+    CHECK(wavelengths.settings[0].setting.spectral == "4");
+}
+
+TEST_CASE("gather: of what was measured twice the later counts; what is incomplete is refused") {
+    const json before = measured();
+    json after = measured();
+    after["results"][0]["regions"]["all"]["p95"] = 3;
+    const std::vector<json> both{before, after};
+    CHECK(gather(both, false).settings[0].sky_p95.by_scene[0] == MeasuredError::pack(3));
+    json without_costs = measured();
+    without_costs.erase("costs");
+    CHECK(contains(complaint([&] { (void)gather({&without_costs, 1}, false); }), "measured without costs"));
+    json broken = measured();
+    broken["results"][0].erase("regions");
+    CHECK(contains(complaint([&] { (void)gather({&broken, 1}, false); }), "what `aureole measure` writes"));
+    json unknown = measured();
+    unknown["results"][0]["setting"] = "nobody";
+    CHECK(contains(complaint([&] { (void)gather({&unknown, 1}, false); }), "a setting that it does not list"));
+}
+
+TEST_CASE("fit: finds along which axes a field changes, and bounds that hold") {
+    MeasuredSkies skies = invented(60);
+    fit(skies);
+    CHECK(skies.lengths[0] < 20);
+    CHECK(skies.lengths[3] > skies.lengths[0]);  // a line is smoother than a sine
+    CHECK(skies.margin > 0.5);
+    CHECK(skies.margin < 6);
+    const Coverage found = coverage(skies, drawn_third(skies, 3));
+    CHECK(found.predictions == 40);  // 20 scenes, sky and geometry
+    CHECK(found.below_bound >= 0.9);
+    CHECK(found.median_excess < 1.5);
+    CHECK(found.median_off < 0.1);
+}
+
+TEST_CASE("fit: a third is drawn by seed and name alone") {
+    MeasuredSkies skies = invented(60);
+    const std::vector<std::size_t> first = drawn_third(skies, 1);
+    CHECK(first.size() == 20);
+    CHECK(std::ranges::is_sorted(first));
+    CHECK(std::ranges::adjacent_find(first) == first.end());
+    CHECK(first == drawn_third(skies, 1));
+    CHECK(first != drawn_third(skies, 2));
+}
+
+TEST_CASE("fit: what the library ships covers scenes that it was not fitted to") {
+    const MeasuredSkies& skies = detail::measured_in_rgb();
+    REQUIRE(skies.scenes.size() >= 12);
+    std::size_t predictions = 0;
+    double below = 0, excess = 0;
+    constexpr std::uint32_t seeds = 3;
+    for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
+        const Coverage found = coverage(skies, drawn_third(skies, seed));
+        MESSAGE("seed ", seed, ": ", found.predictions, " predictions, ", found.below_bound, " below their bound, which is ",
+                found.median_excess, " times what was measured");
+        predictions += found.predictions;
+        below += found.below_bound * static_cast<double>(found.predictions);
+        excess += found.median_excess / seeds;
+    }
+    CHECK(below / static_cast<double>(predictions) >= 0.95);
+    CHECK(excess <= 2);
+}

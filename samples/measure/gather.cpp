@@ -1,0 +1,132 @@
+#include "measure/fit.h"
+
+#include <aureole/rhi/error.h>
+
+#include <algorithm>
+#include <map>
+
+namespace aureole::app {
+namespace {
+
+using detail::MeasuredCost;
+using detail::MeasuredError;
+using detail::MeasuredScene;
+using detail::MeasuredSetting;
+using detail::MeasuredSkies;
+using nlohmann::json;
+
+/// Index of the one that is called `name`, which is added if there is none.
+template <class Named, class Name>
+std::size_t index_of(std::vector<Named>& list, const std::string& name, const Name& name_of, Named fresh) {
+    const auto found = std::ranges::find_if(list, [&](const Named& one) { return name_of(one) == name; });
+    if (found != list.end()) return static_cast<std::size_t>(found - list.begin());
+    list.push_back(std::move(fresh));
+    return list.size() - 1;
+}
+
+/// At least so many, the new ones unknown.
+void grow(MeasuredError& error, std::size_t scenes) {
+    if (error.by_scene.size() < scenes) error.by_scene.resize(scenes, MeasuredError::unknown);
+}
+
+class Gathering {
+public:
+    explicit Gathering(bool wavelengths) : wavelengths_(wavelengths) {}
+
+    void add(const json& measured) {
+        if (!measured.contains("costs"))
+            throw Error(ErrorCode::invalid_argument, "measurements", "measured without costs", "measured with them");
+        skies_.device = measured.at("cost_device").get<std::string>();
+        std::map<std::string, json> settings;
+        for (const json& setting : measured.at("settings")) settings[setting.at("id")] = setting;
+        for (const json& scene : measured.at("scenes")) add_scene(scene);
+        for (const json& result : measured.at("results"))
+            if (scenes_.contains(result.at("scene"))) add_result(result, settings.at(result.at("setting")));
+        for (const json& cost : measured.at("costs")) add_cost(cost);
+    }
+
+    MeasuredSkies finish() {
+        for (MeasuredSetting& setting : skies_.settings) {
+            for (MeasuredError* error : {&setting.sky_median, &setting.sky_p95, &setting.aerial_p95})
+                grow(*error, skies_.scenes.size());
+            setting.by_air.resize(skies_.airs.size());
+        }
+        return std::move(skies_);
+    }
+
+private:
+    void add_scene(const json& scene) {
+        if ((scene.at("spectral") != "rgb") != wavelengths_) return;
+        const std::string id = scene.at("id");
+        const std::size_t air = index_of(
+            skies_.airs, scene.at("air").get<std::string>(), [](const std::string& name) { return name; },
+            scene.at("air").get<std::string>());
+        scenes_[id] = index_of(
+            skies_.scenes, id, [](const MeasuredScene& one) { return one.id; },
+            MeasuredScene{id, air, scene.at("situation").get<detail::Situation>()});
+    }
+
+    MeasuredSetting& setting_of(const json& described) {
+        Setting setting{described.at("model"), described.at("quality"), described.at("spectral"), described.at("without")};
+        const std::string id = setting.id();
+        const std::size_t i = index_of(
+            skies_.settings, id, [](const MeasuredSetting& one) { return one.setting.id(); },
+            MeasuredSetting{std::move(setting), {}, {}, {}, {}});
+        return skies_.settings[i];
+    }
+
+    void add_result(const json& result, const json& described) {
+        if (described.at("model") == "reference") return;
+        MeasuredSetting& setting = setting_of(described);
+        const std::size_t scene = scenes_.at(result.at("scene"));
+        const json& regions = result.at("regions");
+        const auto keep = [&](MeasuredError& error, const char* region, const char* quantile) {
+            if (!regions.contains(region) || regions.at(region).at("rows") == 0) return;
+            grow(error, scene + 1);
+            error.by_scene[scene] = MeasuredError::pack(regions.at(region).at(quantile));
+        };
+        keep(setting.sky_median, "all", "median");
+        keep(setting.sky_p95, "all", "p95");
+        keep(setting.aerial_p95, "aerial", "p95");
+    }
+
+    void add_cost(const json& cost) {
+        const auto air = std::ranges::find(skies_.airs, cost.at("air").get<std::string>());
+        const auto setting = std::ranges::find_if(
+            skies_.settings, [&](const MeasuredSetting& one) { return one.setting.id() == cost.at("setting"); });
+        if (air == skies_.airs.end() || setting == skies_.settings.end()) return;
+        const auto i = static_cast<std::size_t>(air - skies_.airs.begin());
+        if (setting->by_air.size() <= i) setting->by_air.resize(i + 1);
+        const auto median = [&](const char* name) { return cost.at(name).at("median").get<double>(); };
+        const double views = std::max(median("per_frame_ms") - median("composite_ms"), 0.0);
+        MeasuredCost& kept = setting->by_air[i];
+        kept.composite_ms = median("composite_ms");
+        kept.composite_geometry_ms = median("composite_geometry_ms");
+        kept.aerial_perspective_ms = median("aerial_perspective_ms");
+        kept.light_ms = median("light_ms");
+        kept.view_ms = std::max(views - kept.aerial_perspective_ms - kept.light_ms, 0.0);
+        kept.rebuild_ms = std::max(median("rebuild_ms") - views, 0.0);
+        kept.mebibytes = cost.at("bytes").get<double>() / 1048576;
+    }
+
+    bool wavelengths_;
+    MeasuredSkies skies_;
+    std::map<std::string, std::size_t> scenes_;
+};
+
+}  // namespace
+
+MeasuredSkies gather(std::span<const json> measurements, bool wavelengths) {
+    Gathering gathering(wavelengths);
+    try {
+        for (const json& measured : measurements) gathering.add(measured);
+    } catch (const json::exception& error) {
+        throw Error(ErrorCode::invalid_argument, "measurements", error.what(), "what `aureole measure` writes");
+    } catch (const std::out_of_range&) {
+        throw Error(ErrorCode::invalid_argument, "measurements", "a result of a setting that it does not list",
+                    "what `aureole measure` writes");
+    }
+    return gathering.finish();
+}
+
+}  // namespace aureole::app

@@ -1,0 +1,73 @@
+#include "measure/fit.h"
+
+#include "io/csv.h"
+
+#include <cstdio>
+#include <span>
+
+namespace aureole::app {
+namespace {
+
+using detail::MeasuredCost;
+using detail::MeasuredError;
+using detail::MeasuredSetting;
+using detail::MeasuredSkies;
+
+/// Three figures or so: what was measured is no more certain.
+std::string rounded(double value) {
+    char text[32];
+    (void)std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+}
+
+std::string quoted(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) result += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+    return result + "\"";
+}
+
+template <class List, class Print>
+std::string braced(const List& list, const char* between, const Print& print) {
+    std::string text = "{";
+    bool first = true;
+    for (const auto& one : list) {
+        text += (first ? "" : between) + print(one);
+        first = false;
+    }
+    return text + "}";
+}
+
+std::string print(const MeasuredError& error) {
+    return "{" + rounded(error.spread) + ", " + braced(error.by_scene, ",", [](int value) { return std::to_string(value); }) +
+           "}";
+}
+
+std::string print(const MeasuredCost& cost) {
+    const double values[] = {
+        cost.composite_ms, cost.composite_geometry_ms, cost.view_ms, cost.aerial_perspective_ms, cost.light_ms, cost.rebuild_ms,
+        cost.mebibytes};
+    return braced(values, ", ", rounded);
+}
+
+std::string print(const MeasuredSetting& measured) {
+    const Setting& s = measured.setting;
+    return "// " + s.id() + "\n{{" + quoted(s.model) + ", " + quoted(s.quality) + ", " + quoted(s.spectral) + ", " +
+           braced(s.without, ", ", quoted) + "},\n " + print(measured.sky_median) + ",\n " + print(measured.sky_p95) + ",\n " +
+           print(measured.aerial_p95) + ",\n " +
+           braced(measured.by_air, ", ", [](const MeasuredCost& cost) { return print(cost); }) + "}";
+}
+
+}  // namespace
+
+std::string print_initializer(const MeasuredSkies& skies) {
+    std::string text = "// Written by `aureole fit` from measurements: see plan.md. Errors are logarithms in thousandths.\n{";
+    text += quoted(skies.device) + ",\n" + braced(skies.lengths, ", ", rounded) + ", " + rounded(skies.margin) + ",\n" +
+            braced(skies.airs, ", ", quoted) + ",\n";
+    text += braced(skies.scenes, ",\n", [](const detail::MeasuredScene& scene) {
+        return "{" + quoted(scene.id) + ", " + std::to_string(scene.air) + ", " + braced(scene.situation, ", ", rounded) + "}";
+    });
+    text += ",\n" + braced(skies.settings, ",\n", [](const MeasuredSetting& setting) { return print(setting); }) + "}\n";
+    return text;
+}
+
+}  // namespace aureole::app

@@ -335,6 +335,13 @@ def check_report():
     expect('## Mars' in tables and (FOLDER / 'trade.md').read_text() == tables, 'report: tables')
     expect(len((FOLDER / 'report/results.csv').read_text().splitlines()) == 12, 'report: lines')
     works('report', example, '--markdown', FOLDER / 'only.md')
+    page = FOLDER / 'page.md'
+    page.write_text('before\n<!-- at a glance: written by `aureole report --overview` -->\nold\n<!-- end of it -->\nafter\n')
+    works('report', example, '--overview', page)
+    expect(page.read_text().startswith('before\n<!-- at') and page.read_text().endswith('<!-- end of it -->\nafter\n') and
+           'old' not in page.read_text() and '| aureole default |' in page.read_text(), 'report: tables in a page')
+    page.write_text('nothing')
+    fails('--overview', 'report', example, '--overview', page)
     expect((FOLDER / 'only.md').read_text() == tables, 'report: tables alone')
     fails('--output: is missing', 'report', example)
     fails('no.json', 'report', FOLDER / 'no.json', '-o', FOLDER / 'none')

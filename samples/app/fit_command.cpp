@@ -1,9 +1,9 @@
 #include "app/commands.h"
 #include "io/file.h"
+#include "io/json_file.h"
 #include "measure/fit.h"
 
-#include <aureole/rhi/error.h>
-
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -18,12 +18,6 @@ struct FitCommand {
     std::uint32_t seed = 1;
 };
 
-nlohmann::json read_measurements(const std::filesystem::path& path) {
-    nlohmann::json measured = nlohmann::json::parse(read_text(path), nullptr, false);
-    if (measured.is_object()) return measured;
-    throw Error(ErrorCode::invalid_argument, path.string(), "not JSON", "a measurements.json of `aureole measure`");
-}
-
 void print_coverage(const char* name, const detail::MeasuredSkies& skies, std::uint32_t seed) {
     const std::vector<std::size_t> held_out = drawn_third(skies, seed);
     const Coverage found = coverage(skies, held_out);
@@ -36,7 +30,7 @@ void print_coverage(const char* name, const detail::MeasuredSkies& skies, std::u
 
 void run_fit(const FitCommand& command) {
     std::vector<nlohmann::json> measurements;
-    for (const std::filesystem::path& path : command.measurements) measurements.push_back(read_measurements(path));
+    for (const std::filesystem::path& path : command.measurements) measurements.push_back(read_json(path));
     for (const bool wavelengths : {false, true}) {
         detail::MeasuredSkies skies = gather(measurements, wavelengths);
         const char* name = wavelengths ? "wavelengths" : "rgb";

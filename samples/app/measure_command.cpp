@@ -18,7 +18,7 @@ namespace {
 
 struct MeasureCommand {
     std::string suite = "small";
-    std::vector<std::string> models;
+    std::vector<std::string> models, airs;
     std::filesystem::path out = "measured";
     bool no_parts = false, no_costs = false, no_pictures = false, no_html = false;
     std::uint32_t rounds = 5;
@@ -68,16 +68,36 @@ void write_all(const nlohmann::json& measured, const MeasureCommand& command) {
     std::printf("%s\n", (command.out / "report.html").c_str());
 }
 
+void keep_airs(Suite& suite, const std::vector<std::string>& names) {
+    if (names.empty()) return;
+    const Suite whole = suite;
+    suite.airs.clear();
+    suite.scenes.clear();
+    for (const std::string& name : names) {
+        const auto air = std::ranges::find(whole.airs, name, &SuiteAir::name);
+        if (air == whole.airs.end()) throw Error(ErrorCode::invalid_argument, "--airs", name, "an air of the suite");
+        suite.airs.push_back(*air);
+        for (const std::size_t i : whole.scenes_of(static_cast<std::size_t>(air - whole.airs.begin()))) {
+            suite.scenes.push_back(whole.scenes[i]);
+            suite.scenes.back().air = suite.airs.size() - 1;
+        }
+    }
+}
+
 void run_measure(const MeasureCommand& command) {
     Suite suite = read_suite(find_suite(command.suite));
     keep_models(suite, command.models);
+    keep_airs(suite, command.airs);
     std::filesystem::create_directories(command.out);
     const std::unique_ptr<Backend> run = open_backend(command.backend);
     const std::unique_ptr<Backend> exact = open_backend({.name = "cpu-double"});
     std::printf("suite %s: %zu scenes, %zu settings, on %s\n", suite.name.c_str(), suite.scenes.size(), suite.settings.size(),
                 run->describe().c_str());
     std::fflush(stdout);
-    const MeasureOptions options{.out = command.out, .parts = !command.no_parts, .cost_rounds = command.rounds};
+    const MeasureOptions options{.out = command.out,
+                                 .parts = !command.no_parts,
+                                 .cost_rounds = command.rounds,
+                                 .validation = command.backend.validation};
     Progress progress(suite.airs.size() * suite.settings.size(), stderr, isatty(STDERR_FILENO) == 1);
     nlohmann::json measured =
         measure(suite, options, *run, *exact, [&](std::size_t done, std::size_t) { progress.reach(done); });
@@ -121,6 +141,7 @@ void add_measure_command(CLI::App& program) {
     command->add_option("--models", options->models, "Only the suite's settings of these models, separated by commas")
         ->delimiter(',')
         ->check(CLI::IsMember(strings(model_names())));
+    command->add_option("--airs", options->airs, "Only these airs of the suite, by name, separated by commas")->delimiter(',');
     command->add_option("-o,--out", options->out, "Folder for results; made if need be")->capture_default_str();
     command->add_flag("--no-parts", options->no_parts, "Total errors alone: a third of the time");
     command->add_option("--rounds", options->rounds, "Measured rounds of the costs")

@@ -92,7 +92,8 @@ public:
         geometry_->prepare_composite(textures.geometry);
     }
 
-    void run(std::uint32_t round, bool measured) {
+    /// One round; what it took.
+    std::vector<PassTime> run(std::uint32_t round) {
         update(round);
         std::vector<PassTime> times;
         draw_plain();
@@ -105,7 +106,25 @@ public:
             collect_times(backend_, geometry_->reports().last(1), slot_of_composite(), geometry_times);
             times.push_back({std::string(geometry_pass), geometry_times.at(0).milliseconds});
         }
-        if (measured) keep(times);
+        return times;
+    }
+
+    /// The times of a round that counts.
+    void keep(const std::vector<PassTime>& times) {
+        double air = 0, view = 0, composite = 0;
+        for (const PassTime& time : times) {
+            samples_[time.name].push_back(time.milliseconds);
+            const auto place = static_cast<std::size_t>(std::ranges::find(names_, time.name) - names_.begin());
+            if (place < result.air_passes)
+                air += time.milliseconds;
+            else if (place < result.air_passes + result.view_passes)
+                view += time.milliseconds;
+            else if (time.name == "composite")
+                composite = time.milliseconds;
+        }
+        per_frame_.push_back(view);
+        frame_.push_back(view + composite);
+        rebuild_.push_back(air + view);
     }
 
     /// What each pass of one round does. The backend counts (BackendOptions::count_work).
@@ -173,22 +192,6 @@ private:
         const TimestampSlots view = if_supported(backend_, view_slots);
         backend_.run([&](rhi::CommandList& commands) { record_geometry(commands, view); });
     }
-    void keep(const std::vector<PassTime>& times) {
-        double air = 0, view = 0, composite = 0;
-        for (const PassTime& time : times) {
-            samples_[time.name].push_back(time.milliseconds);
-            const auto place = static_cast<std::size_t>(std::ranges::find(names_, time.name) - names_.begin());
-            if (place < result.air_passes)
-                air += time.milliseconds;
-            else if (place < result.air_passes + result.view_passes)
-                view += time.milliseconds;
-            else if (time.name == "composite")
-                composite = time.milliseconds;
-        }
-        per_frame_.push_back(view);
-        frame_.push_back(view + composite);
-        rebuild_.push_back(air + view);
-    }
 
     [[nodiscard]] TimestampSlots slot_of_composite() const {
         const std::size_t before = geometry_->reports().size() - 1;
@@ -245,11 +248,20 @@ std::vector<PassCosts> pass_costs(Backend& backend, std::span<const CostSubject>
     const Textures textures(backend, options);
     std::vector<std::unique_ptr<Subject>> running;
     for (const CostSubject& subject : subjects) running.push_back(open(backend, options, textures, subject));
-    for (std::uint32_t round = 0; round < options.frames + options.warm_up; ++round) {
+    for (const CostRound& round : options.known)
+        for (std::size_t i = 0; i < running.size(); ++i) running[i]->keep(round.at(i));
+    const auto known = static_cast<std::uint32_t>(std::min<std::size_t>(options.known.size(), options.frames));
+    const std::uint32_t rounds = known < options.frames ? options.frames - known + options.warm_up : 0;
+    for (std::uint32_t round = 0; round < rounds; ++round) {
         // Each after another one in each round: what the one before leaves in caches hits all alike.
+        CostRound times(running.size());
         for (std::size_t i = 0; i < running.size(); ++i) {
             const std::size_t turn = (i + round) % running.size(), next = round % 2 == 0 ? turn : running.size() - 1 - turn;
-            running[next]->run(round, round >= options.warm_up);
+            times[next] = running[next]->run(round);
+        }
+        if (round >= options.warm_up) {
+            for (std::size_t i = 0; i < running.size(); ++i) running[i]->keep(times[i]);
+            if (options.after_measured) options.after_measured(times);
         }
         after_round();
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/backend.h"
+#include "app/pass_times.h"
 
 #include <aureole/atmosphere.h>
 
@@ -23,6 +24,9 @@ struct CostSubject {
     ModelPtr model;
 };
 
+/// What one round took: of each subject every pass, in milliseconds.
+using CostRound = std::vector<std::vector<PassTime>>;
+
 struct PassCostOptions {
     std::uint32_t width = 1280, height = 720;  ///< Of the composite.
     std::uint32_t frames = 20;                 ///< Measured rounds.
@@ -33,6 +37,9 @@ struct PassCostOptions {
     bool counts = true;      ///< Also count the passes' work, with a run on the CPU backend.
     bool composites = true;  ///< Count composites too.
     std::uint32_t counted_width = 0, counted_height = 0;  ///< Of the composite that is counted; 0: as measured.
+    /// Rounds that an earlier run has measured of the same subjects: they count, and so many fewer are run.
+    std::vector<CostRound> known{};
+    std::function<void(const CostRound&)> after_measured{};  ///< Told of each round that is run and counts.
 };
 
 /// Milliseconds: the middle and what 80 % of the samples lie between.

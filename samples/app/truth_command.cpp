@@ -44,11 +44,11 @@ void complete_rows(const Suite& suite, const SuiteAir& air, TruthKind kind, std:
     const std::filesystem::path file = truth_file(suite, air, kind), checkpoint = file.string() + ".checkpoint";
     const TraceParameters parameters = truth_parameters(air);
     TruthTable table = TruthTable::read(file, parameters, kind);
-    const std::vector<ProbeRow> rows = table.missing(wanted);
-    print_state(file, rows.size(), table.size(), "directions");
-    if (rows.empty()) return;
     TraceSettings settings = settings_of(suite, air);
     settings.error = error;
+    const std::vector<ProbeRow> rows = table.missing(wanted, {settings.error, settings.max_paths});
+    print_state(file, rows.size(), table.size(), "directions");
+    if (rows.empty()) return;
     Tracer tracer(backend, air.parameters, rows, settings);
     const TraceParameters traced = parameters_of(air.parameters, settings, backend);
     if (std::filesystem::exists(checkpoint)) read_checkpoint(checkpoint, traced, tracer);
@@ -76,10 +76,12 @@ void complete_pictures(const Suite& suite, std::size_t index, Backend& backend) 
 /// Scenes of an air that a table lacks, each traced and kept in turn.
 class SceneByScene {
 public:
-    SceneByScene(const Suite& suite, std::size_t air, TruthKind kind)
+    /// `wanted`: how well values must be known.
+    SceneByScene(const Suite& suite, std::size_t air, TruthKind kind, const TruthTable::Wanted& wanted)
         : suite_(suite),
           air_(suite.airs[air]),
           kind_(kind),
+          wanted_(wanted),
           file_(truth_file(suite, air_, kind)),
           parameters_(truth_parameters(air_)),
           table_(TruthTable::read(file_, parameters_, kind)) {}
@@ -89,7 +91,7 @@ public:
     void complete(const std::vector<const SuiteScene*>& scenes, const Keys& keys, const Trace& trace) {
         std::vector<const SuiteScene*> missing;
         for (const SuiteScene* scene : scenes)
-            if (!table_.missing(keys(*scene)).empty()) missing.push_back(scene);
+            if (!table_.missing(keys(*scene), wanted_).empty()) missing.push_back(scene);
         print_state(file_, missing.size(), scenes.size(), "scenes");
         if (missing.empty()) return;
         Progress progress(missing.size() * progress_steps, stderr, isatty(STDERR_FILENO) == 1);
@@ -107,6 +109,7 @@ private:
     const Suite& suite_;
     const SuiteAir& air_;
     TruthKind kind_;
+    TruthTable::Wanted wanted_;
     std::filesystem::path file_;
     TraceParameters parameters_;
     TruthTable table_;
@@ -118,7 +121,8 @@ void complete_aerial(const Suite& suite, std::size_t index, Backend& backend) {
     for (const std::size_t i : suite.scenes_of(index))
         if (suite.scenes[i].aerial) scenes.push_back(&suite.scenes[i]);
     if (scenes.empty()) return;
-    SceneByScene work(suite, index, TruthKind::aerial);
+    const TraceSettings settings = settings_of(suite, air);
+    SceneByScene work(suite, index, TruthKind::aerial, {settings.error, settings.max_paths});
     work.complete(
         scenes,
         [](const SuiteScene& scene) {
@@ -128,7 +132,7 @@ void complete_aerial(const Suite& suite, std::size_t index, Backend& backend) {
         },
         [&](const SuiteScene& scene, const std::function<void(double)>& progress) {
             const AerialView view = aerial_view(scene);
-            const AerialTruth truth = trace_aerial(backend, air.parameters, view, settings_of(suite, air), progress).value();
+            const AerialTruth truth = trace_aerial(backend, air.parameters, view, settings, progress).value();
             for (std::size_t i = 0; i < aerial_pixels; ++i)
                 work.table().set(aerial_row(view, i), {{truth.pixels[i].radiance, truth.pixels[i].error}, truth.paths[i]});
         });
@@ -138,10 +142,10 @@ void complete_light(const Suite& suite, std::size_t index, Backend& backend) {
     const SuiteAir& air = suite.airs[index];
     std::vector<const SuiteScene*> scenes;
     for (const std::size_t i : suite.scenes_of(index)) scenes.push_back(&suite.scenes[i]);
-    SceneByScene work(suite, index, TruthKind::light);
     TraceSettings settings = settings_of(suite, air);
     settings.error = std::max(settings.error, light_error);
     settings.max_paths = std::min(settings.max_paths, light_max_paths);
+    SceneByScene work(suite, index, TruthKind::light, {settings.error, settings.max_paths});
     work.complete(
         scenes,
         [](const SuiteScene& scene) {

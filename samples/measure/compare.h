@@ -46,7 +46,7 @@ struct SceneResult {
     ErrorSummary all;       ///< Of all directions; geometry is a region of its own, and in none of what follows either.
     std::array<ErrorSummary, region_names.size()> regions;
     std::optional<ErrorParts> parts;
-    double luminance_rmse = 0;
+    std::optional<double> luminance_rmse;   ///< None where nothing is known, or black.
     std::optional<double> sky_illuminance;  ///< Error of luminance; none where the truth is unknown.
     std::optional<double> sun_colour;       ///< Error as of a radiance; none for a sun that has set.
     ErrorSummary delta_e;                   ///< CIEDE2000 of the points as shown.

@@ -41,7 +41,7 @@ TEST_CASE("compare: each part is the distance to the next look") {
     CHECK(result.parts->rounding.worst == near(0.01));
     CHECK(result.parts->discretisation.median == near(0.04));
     CHECK(result.parts->model.p95 == near(0.02));
-    CHECK(result.luminance_rmse == near(0.07));
+    CHECK(result.luminance_rmse.value() == near(0.07));
     CHECK(result.delta_e.median == near(shown_difference(Rgb(1.07), Rgb(1), 0.5)));
     CHECK(result.banding == 0.0);
     CHECK(result.sky_illuminance.value() == near(0.07));

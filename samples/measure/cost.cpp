@@ -46,6 +46,8 @@ std::vector<Cost> costs(Backend& backend, std::span<const CostSubject> subjects,
     measured.height = options.height;
     measured.frames = options.rounds;
     measured.warm_up = options.warm_up;
+    measured.known = options.known;
+    measured.after_measured = options.after_measured;
     measured.counted_width = std::max(options.width / coarser, 1U);
     measured.counted_height = std::max(options.height / coarser, 1U);
     std::vector<Cost> found;

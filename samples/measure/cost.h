@@ -14,6 +14,8 @@ struct CostOptions {
     std::uint32_t width = 1280, height = 720;  ///< Of the composite, pixels.
     std::uint32_t rounds = 20;                 ///< Measured, at least 1.
     std::uint32_t warm_up = 2;                 ///< Rounds before them that are thrown away.
+    std::vector<CostRound> known{};            ///< As PassCostOptions has them.
+    std::function<void(const CostRound&)> after_measured{};
 };
 
 struct Cost {

@@ -99,3 +99,29 @@ TEST_CASE("costs: errors name the subject") {
     CHECK(contains(complaint([&] { (void)costs(*backend, subjects, none); }), "rounds: 0"));
     CHECK(costs(*backend, {}, quick()).empty());
 }
+
+TEST_CASE("costs: rounds of an earlier run count, and only what is missing is run") {
+    const auto backend = open_backend({.name = "cpu"});
+    const std::vector<CostSubject> subjects{{"low", presets::earth(), models::aureole(QualitySettings::low())}};
+    std::vector<CostRound> measured;
+    CostOptions options = quick();
+    options.rounds = 2;
+    options.after_measured = [&](const CostRound& round) { measured.push_back(round); };
+    (void)costs(*backend, subjects, options);
+    REQUIRE(measured.size() == 2);
+    for (CostRound& round : measured)
+        for (PassTime& time : round.at(0))
+            if (time.name == "composite") time.milliseconds = 1e6;
+    options.known = measured;
+    options.rounds = 3;
+    int run = 0;
+    options.after_measured = [&](const CostRound&) { ++run; };
+    const std::vector<Cost> found = costs(*backend, subjects, options);
+    CHECK(run == 1);
+    CHECK(found.at(0).composite_ms.median == 1e6);
+    CHECK(found.at(0).composite_ms.p10 < 1e6);
+    options.rounds = 2;
+    run = 0;
+    CHECK(costs(*backend, subjects, options).at(0).per_frame_ms.median > 1e6);
+    CHECK(run == 0);
+}

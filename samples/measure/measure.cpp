@@ -18,7 +18,6 @@ json to_json(const Suite& suite, const Setting& setting, const SceneResult& resu
     json out{{"scene", suite.id(suite.scenes[result.scene])},
              {"setting", setting.id()},
              {"regions", {{"all", to_json(result.all)}}},
-             {"luminance_rmse", result.luminance_rmse},
              {"delta_e", to_json(result.delta_e)}};
     for (std::size_t i = 0; i < region_names.size(); ++i)
         if (result.regions[i].rows > 0) out["regions"][std::string(region_names[i])] = to_json(result.regions[i]);
@@ -26,9 +25,40 @@ json to_json(const Suite& suite, const Setting& setting, const SceneResult& resu
         out["split"] = {{"rounding", to_json(result.parts->rounding)},
                         {"discretisation", to_json(result.parts->discretisation)},
                         {"model", to_json(result.parts->model)}};
+    if (result.luminance_rmse) out["luminance_rmse"] = *result.luminance_rmse;
     if (result.sky_illuminance) out["sky_illuminance"] = *result.sky_illuminance;
     if (result.sun_colour) out["sun_colour"] = *result.sun_colour;
     if (result.banding) out["banding_delta_e"] = *result.banding;
+    return out;
+}
+
+json to_json(const Rgb& c) { return {c.r, c.g, c.b}; }
+Rgb rgb_in(const json& c) { return {c.at(0).get<double>(), c.at(1).get<double>(), c.at(2).get<double>()}; }
+
+json to_json(const std::vector<Seen>& looks) {
+    const auto list = [](const std::vector<Rgb>& colours) {
+        json out = json::array();
+        for (const Rgb& c : colours) out.push_back(to_json(c));
+        return out;
+    };
+    json out = json::array();
+    for (const Seen& seen : looks)
+        out.push_back({{"points", list(seen.points)},
+                       {"scan", list(seen.scan)},
+                       {"sun", to_json(seen.light.sun_irradiance)},
+                       {"sky", to_json(seen.light.sky_irradiance_up)}});
+    return out;
+}
+
+std::vector<Seen> seen_in(const json& looks) {
+    const auto list = [](const json& colours) {
+        std::vector<Rgb> out;
+        for (const json& c : colours) out.push_back(rgb_in(c));
+        return out;
+    };
+    std::vector<Seen> out;
+    for (const json& seen : looks)
+        out.push_back({list(seen.at("points")), list(seen.at("scan")), {rgb_in(seen.at("sun")), rgb_in(seen.at("sky"))}});
     return out;
 }
 
@@ -87,7 +117,12 @@ private:
     const std::vector<Seen>& converged_look(const Setting& setting) {
         const Setting fine = converged(setting);
         const auto [at, is_new] = converged_.try_emplace(fine.id());
-        if (is_new) at->second = look(fine_, prepare(fine, air_.parameters).value(), suite_, places_);
+        if (!is_new) return at->second;
+        json key = key_of(fine);
+        key["device"] = fine_.describe();
+        const std::filesystem::path file = options_.out / "items" / air_.name / ("look_" + file_name(fine.id()));
+        at->second = seen_in(
+            kept_or(file, key, [&] { return to_json(look(fine_, prepare(fine, air_.parameters).value(), suite_, places_)); }));
         return at->second;
     }
 

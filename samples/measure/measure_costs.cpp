@@ -39,6 +39,40 @@ std::vector<CostSubject> subjects_of(const Suite& suite, const SuiteAir& air) {
     return subjects;
 }
 
+/// Rounds that have been measured, in a file that grows with each.
+class KeptRounds {
+public:
+    KeptRounds(std::filesystem::path file, json key) : file_(std::move(file)), key_(std::move(key)) {
+        rounds_ = std::filesystem::exists(file_) ? json::parse(read_text(file_), nullptr, false) : json();
+        if (!rounds_.is_object() || rounds_.value("key", json()) != key_) rounds_ = {{"key", key_}, {"rounds", json::array()}};
+    }
+    [[nodiscard]] std::vector<CostRound> known() const {
+        std::vector<CostRound> result;
+        for (const json& round : rounds_.at("rounds")) {
+            CostRound& known = result.emplace_back();
+            for (const json& subject : round) {
+                std::vector<PassTime>& times = known.emplace_back();
+                for (const json& time : subject) times.push_back({time.at(0), time.at(1)});
+            }
+        }
+        return result;
+    }
+    void add(const CostRound& round) {
+        json& subjects = rounds_["rounds"].emplace_back(json::array());
+        for (const std::vector<PassTime>& times : round) {
+            json& subject = subjects.emplace_back(json::array());
+            for (const PassTime& time : times) subject.push_back({time.name, time.milliseconds});
+        }
+        std::filesystem::create_directories(file_.parent_path());
+        write_text(file_, rounds_.dump() + "\n");
+    }
+    void remove() { std::filesystem::remove(file_); }
+
+private:
+    std::filesystem::path file_;
+    json key_, rounds_;
+};
+
 }  // namespace
 
 json measure_costs(const Suite& suite, const MeasureOptions& options, Backend& run,
@@ -51,12 +85,19 @@ json measure_costs(const Suite& suite, const MeasureOptions& options, Backend& r
         json key{{"air", print_parameters(truth_parameters(air))},
                  {"device", run.describe()},
                  {"rounds", options.cost_rounds},
+                 {"validation", options.validation},
                  {"build", build_stamp()}};
         for (const CostSubject& subject : subjects) key["settings"].push_back(subject.label);
-        const json results = kept_or(options.out / "items" / air.name / "costs.json", key, [&] {
-            std::size_t done = 0;
-            const std::vector<Cost> measured = costs(run, subjects, {.rounds = options.cost_rounds},
-                                                     [&] { after_round(i * rounds + ++done, suite.airs.size() * rounds); });
+        const std::filesystem::path folder = options.out / "items" / air.name;
+        const json results = kept_or(folder / "costs.json", key, [&] {
+            KeptRounds kept(folder / "cost_rounds.json", key);
+            CostOptions wanted{.rounds = options.cost_rounds};
+            wanted.known = kept.known();
+            wanted.after_measured = [&](const CostRound& round) { kept.add(round); };
+            std::size_t done = wanted.known.size();
+            const std::vector<Cost> measured = costs(
+                run, subjects, wanted, [&] { after_round(i * rounds + std::min(++done, rounds), suite.airs.size() * rounds); });
+            kept.remove();
             json out = json::array();
             for (std::size_t k = 0; k < measured.size(); ++k) out.push_back(to_json(air.name, subjects[k].label, measured[k]));
             return out;

@@ -45,7 +45,7 @@ std::optional<double> luminance_error(const Rgb& seen, const TrueValue& truth) {
     return std::abs(luminance(seen) / luminance(truth.value) - 1);
 }
 
-double luminance_rmse(std::span<const Rgb> seen, std::span<const TrueValue> truth) {
+std::optional<double> luminance_rmse(std::span<const Rgb> seen, std::span<const TrueValue> truth) {
     double squares = 0, light = 0, rows = 0;
     for (std::size_t i = 0; i < truth.size(); ++i) {
         if (!is_known(truth[i])) continue;
@@ -54,7 +54,8 @@ double luminance_rmse(std::span<const Rgb> seen, std::span<const TrueValue> trut
         light += luminance(truth[i].value);
         rows += 1;
     }
-    return light > 0 ? std::sqrt(squares / rows) / (light / rows) : 0;
+    if (!(light > 0)) return {};
+    return std::sqrt(squares / rows) / (light / rows);
 }
 
 double fixed_exposure(std::span<const TrueValue> truth) {

@@ -31,9 +31,9 @@ struct TrueValue {
 /// Of the luminance (illuminance) alone, relative; none as above.
 [[nodiscard]] std::optional<double> luminance_error(const Rgb& seen, const TrueValue& truth);
 
-/// Root of the mean squared error of luminance over the mean true luminance; 0 for no light. Rows whose truth is too noisy are
-/// left out.
-[[nodiscard]] double luminance_rmse(std::span<const Rgb> seen, std::span<const TrueValue> truth);
+/// Root of the mean squared error of luminance over the mean true luminance; none for no light. Rows whose truth is too noisy
+/// are left out.
+[[nodiscard]] std::optional<double> luminance_rmse(std::span<const Rgb> seen, std::span<const TrueValue> truth);
 
 /// Factor on radiance that shows a scene by its truth: what is brighter than 90 % of it gets luminance 0.8. 1 for no light.
 [[nodiscard]] double fixed_exposure(std::span<const TrueValue> truth);

@@ -99,10 +99,16 @@ const TruthTable::Entry* TruthTable::find(const ProbeRow& row) const {
 
 void TruthTable::set(const ProbeRow& row, const Entry& entry) { entries_[place_of(row)] = entry; }
 
-std::vector<ProbeRow> TruthTable::missing(std::span<const ProbeRow> rows) const {
+std::vector<ProbeRow> TruthTable::missing(std::span<const ProbeRow> rows, const Wanted& wanted) const {
+    constexpr double rounding = 1.05;  // errors are written with two digits
     std::vector<ProbeRow> result;
-    for (const ProbeRow& row : rows)
-        if (!find(row)) result.push_back(row);
+    for (const ProbeRow& row : rows) {
+        const Entry* known = find(row);
+        const bool enough =
+            known != nullptr && (known->paths + trace_round_paths > wanted.paths ||
+                                 relative_error(Estimated{known->value.value, known->value.error}) <= rounding * wanted.error);
+        if (!enough) result.push_back(row);
+    }
     return result;
 }
 

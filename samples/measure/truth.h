@@ -40,7 +40,13 @@ public:
 
     [[nodiscard]] const Entry* find(const ProbeRow& row) const;  ///< Null: not known.
     void set(const ProbeRow& row, const Entry& entry);
-    [[nodiscard]] std::vector<ProbeRow> missing(std::span<const ProbeRow> rows) const;
+    /// How well a value must be known: with this relative standard error in each channel, or by so many paths.
+    struct Wanted {
+        double error = 1e300;
+        std::uint64_t paths = 0;
+    };
+    /// Of these rows those that are not known, or not as well.
+    [[nodiscard]] std::vector<ProbeRow> missing(std::span<const ProbeRow> rows, const Wanted& wanted) const;
     [[nodiscard]] std::size_t size() const noexcept { return entries_.size(); }
 
 private:

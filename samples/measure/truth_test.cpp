@@ -35,7 +35,7 @@ TEST_CASE("truth: a table reads back as it was written, and knows what it lacks"
     REQUIRE(rows.size() > 60);
     TruthTable table = TruthTable::read("no_such.csv", parameters);
     CHECK(table.size() == 0);
-    CHECK(table.missing(rows).size() == rows.size());
+    CHECK(table.missing(rows, {}).size() == rows.size());
     for (std::size_t i = 1; i < rows.size(); ++i) table.set(rows[i], entry(1.0 / static_cast<double>(i)));
     table.write("truth_of_earth.csv", parameters);
 
@@ -45,9 +45,13 @@ TEST_CASE("truth: a table reads back as it was written, and knows what it lacks"
     CHECK(again.find(rows[3])->value.value.g == doctest::Approx(2.0 / 3).epsilon(1e-6).scale(1e-300));
     CHECK(again.find(rows[3])->value.error.r == doctest::Approx(1e-3 / 3).epsilon(1e-2).scale(1e-300));
     CHECK(again.find(rows[3])->paths == 4096);
-    const std::vector<ProbeRow> missing = again.missing(rows);
+    const std::vector<ProbeRow> missing = again.missing(rows, {});
     REQUIRE(missing.size() == 1);
     CHECK(missing[0].view_zenith_deg == rows[0].view_zenith_deg);
+    // Errors are 0.1 %: not as small as wanted, unless there may be no more paths.
+    CHECK(again.missing(rows, {2e-3, 1 << 20}).size() == 1);
+    CHECK(again.missing(rows, {5e-4, 1 << 20}).size() == rows.size());
+    CHECK(again.missing(rows, {5e-4, 4096}).size() == 1);
     AirTruth truth{again, TruthTable(TruthKind::aerial), TruthTable(TruthKind::light)};
     CHECK(
         contains(complaint([&] { (void)places_of(suite, 0, truth); }), "earth.csv lacks scenes of the suite; `aureole truth`"));

@@ -97,6 +97,11 @@ std::string simplifications_table(const Measurements& all, const ClassSummary& o
 
 }  // namespace
 
+std::string markdown_overview(const nlohmann::json& measurements, const std::string& source) {
+    const Measurements all = read_measurements(measurements, source);
+    return overview_tables(all, summarize(all));
+}
+
 std::string markdown_tables(const nlohmann::json& measurements, const std::string& source) {
     const Measurements all = read_measurements(measurements, source);
     std::string out = "Suite `" + all.suite + "`" + (all.library.empty() ? "" : ", Aureole " + all.library) +
@@ -104,7 +109,7 @@ std::string markdown_tables(const nlohmann::json& measurements, const std::strin
                       ". Costs: " + (all.costs.empty() || all.cost_device.empty() ? "not measured" : all.cost_device) + ".\n" +
                       std::string(aggregation_note) + " " + std::string(not_measured) + ": not measured.\n";
     const std::vector<ClassSummary> classes = summarize(all);
-    out += overview_tables(all, classes);
+    out += "\n## At a glance\n\n" + overview_tables(all, classes);
     for (const ClassSummary& of : classes) {
         out += "\n## " + of.name + "\n\n" + std::to_string(of.scenes) + (of.scenes == 1 ? " scene.\n\n" : " scenes.\n\n");
         if (of.settings.empty()) {

@@ -85,9 +85,10 @@ std::string simplifications_at_a_glance(const Measurements& all, const std::vect
 }  // namespace
 
 std::string overview_tables(const Measurements& all, const std::vector<ClassSummary>& classes) {
-    return "\n## At a glance\n\nMedian / 95th percentile of the error of radiance, in percent; costs and savings in the airs "
-           "of the first "
-           "class that has them.\n\n" +
+    return "Suite `" + all.suite + "`, on " + (all.cost_device.empty() ? all.device : all.cost_device) +
+           ". Median / 95th percentile of the error of radiance, in percent; costs and savings in the airs of the first class "
+           "that "
+           "has them.\n\n" +
            settings_at_a_glance(all, classes) + simplifications_at_a_glance(all, classes);
 }
 

@@ -20,6 +20,9 @@ void write_report(const nlohmann::json& measurements, const std::filesystem::pat
 /// GitHub-flavoured, headings of the second level.
 [[nodiscard]] std::string markdown_tables(const nlohmann::json& measurements, const std::string& source = "measurements");
 
+/// The two tables of markdown_tables that a reader wants first, without a heading.
+[[nodiscard]] std::string markdown_overview(const nlohmann::json& measurements, const std::string& source = "measurements");
+
 /// A line for each result with everything about its scene and setting; errors as fractions, cells that were not measured empty,
 /// infinite errors `inf`.
 [[nodiscard]] std::string csv_lines(const nlohmann::json& measurements, const std::string& source = "measurements");

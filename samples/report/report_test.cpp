@@ -148,8 +148,8 @@ TEST_CASE("report: tables in Markdown") {
     CHECK(contains(tables,
                    "Suite `example`, Aureole 0.1.0. Errors: CPU backend, float, 2 threads. Costs: llvmpipe (Mesa 22.3.6)."));
     CHECK(contains(tables, "\n## Earth by day\n\n2 scenes.\n"));
-    CHECK(
-        contains(tables, "| aureole default | 0.3 | 1.6 | 4 | – | – | 0.6 | 0.24 | 0.28 | 0.04 | 0.2 | 0.5 | 2 | 400 k | 900 k | 1 |"));
+    CHECK(contains(
+        tables, "| aureole default | 0.3 | 1.6 | 4 | – | – | 0.6 | 0.24 | 0.28 | 0.04 | 0.2 | 0.5 | 2 | 400 k | 900 k | 1 |"));
     CHECK(contains(tables, "| aureole high | 0.3 | 1.2 | 3 | – | – | 0.45 | 0.18 | 0.21 | 0.03 | 0 | – | – | – | – | – |"));
     CHECK(contains(tables, "| aureole default | 0.015 | 0.08 | 0.2 | 0.09 | 0.48 | 1.2 | 0.24 | 1.28 | 3.2 |"));
     CHECK(contains(tables,

@@ -89,6 +89,8 @@ function fronts(data, settings) {
             const error = summary.regions[region()]?.[statistic()], price = summary.costs[figure.key];
             if (error === undefined || price === undefined) missing.push(`${summary.setting} (${NOT_MEASURED})`);
             else if (error === null) missing.push(`${summary.setting} (∞)`);
+            // Over fewer scenes it is no peer of those that were measured in all.
+            else if (summary.scenes < scenes.scenes) missing.push(`${summary.setting} (${summary.scenes} of ${scenes.scenes} scenes)`);
             else rows.push({cost: price, error, model: setting.model, setting: summary.setting, tips: tipsOf(data, summary, region()),
                             whole: setting.without.length === 0});
         }

@@ -10,14 +10,28 @@ namespace aureole::detail {
 
 namespace {
 
-bool same_targets(const CompositeTargets& a, const CompositeTargets& b) noexcept {
-    return a.scene_color == b.scene_color && a.scene_depth == b.scene_depth && a.target == b.target &&
-           a.directions == b.directions && a.extent == b.extent;
-}
-
 /// Where tables of light are sums, what shadows take from the ground is found at each triplet beforehand.
 std::size_t ground_runs_of(const ModelKernels& kernels, const ShadowPass& shadows) {
     return shadows.enabled() && kernels.triplets.empty() ? kernels.shadow_triplets.size() : 0;
+}
+
+/// As far as the device knows its textures.
+void check_sizes(const rhi::Device& device, const CompositeSettings& settings, const CompositeTargets& targets) {
+    const auto print = [](const rhi::Extent& e) { return std::to_string(e.width) + "x" + std::to_string(e.height); };
+    const auto extent_of = [&](rhi::Texture texture) {
+        const rhi::TextureDesc* desc = texture ? device.find(texture) : nullptr;
+        return desc ? desc->extent : targets.extent;
+    };
+    const rhi::Extent size = extent_of(targets.target);
+    if (!(size == targets.extent))
+        reject("targets.extent", print(targets.extent), print(size) + ", the size of targets.target");
+    const auto same = [&](rhi::Texture texture, const char* field) {
+        const rhi::Extent given = extent_of(texture);
+        if (!(given == size)) reject(field, print(given), print(size) + ", the size of targets.target");
+    };
+    if (settings.scene_color) same(targets.scene_color, "targets.scene_color");
+    if (settings.scene_depth) same(targets.scene_depth, "targets.scene_depth");
+    same(targets.directions, "targets.directions");
 }
 
 }  // namespace
@@ -29,6 +43,22 @@ void validate(const CompositeSettings& settings) {
     if (settings.target_format == rhi::Format::undefined || settings.target_format == rhi::Format::d32_float)
         reject("composite.target_format", rhi::to_string(settings.target_format), "a colour format");
     check_enum("composite.tone_map", settings.tone_map, ToneMap::aces_fitted, "none or aces_fitted");
+}
+
+void check_targets(const rhi::Device& device, const CompositeSettings& settings, bool shadows,
+                   const CompositeTargets& targets) {
+    const auto need = [](bool wanted, rhi::Texture texture, const char* field) {
+        if (wanted && !texture) reject(field, "null", "a texture, as CompositeSettings asks for it");
+    };
+    need(true, targets.target, "targets.target");
+    need(settings.scene_color, targets.scene_color, "targets.scene_color");
+    need(settings.scene_depth, targets.scene_depth, "targets.scene_depth");
+    if (targets.directions && shadows)
+        throw Error(ErrorCode::unsupported, "targets.directions", "a texture",
+                    "null with ViewSettings::shadows, which are found along the rays of the camera alone");
+    detail::check("targets.extent.width", targets.extent.width, 1, device.capabilities().max_texture_2d);
+    detail::check("targets.extent.height", targets.extent.height, 1, device.capabilities().max_texture_2d);
+    check_sizes(device, settings, targets);
 }
 
 CompositePass::CompositePass(ViewResources& shared, const ModelKernels& kernels, const ShadowPass& shadows,
@@ -83,40 +113,6 @@ Specialize CompositePass::specialization(const TripletKernels& run, bool given_d
     return values;
 }
 
-void CompositePass::check(const CompositeTargets& targets) const {
-    const auto need = [](bool wanted, rhi::Texture texture, const char* field) {
-        if (wanted && !texture) reject(field, "null", "a texture, as CompositeSettings asks for it");
-    };
-    need(true, targets.target, "targets.target");
-    need(settings_.scene_color, targets.scene_color, "targets.scene_color");
-    need(settings_.scene_depth, targets.scene_depth, "targets.scene_depth");
-    if (targets.directions && shadows_.enabled())
-        throw Error(ErrorCode::unsupported, "targets.directions", "a texture",
-                    "null with ViewSettings::shadows, which are found along the rays of the camera alone");
-    detail::check("targets.extent.width", targets.extent.width, 1, shared_.objects.device().capabilities().max_texture_2d);
-    detail::check("targets.extent.height", targets.extent.height, 1, shared_.objects.device().capabilities().max_texture_2d);
-    check_sizes(targets);
-}
-
-/// As far as the device knows its textures.
-void CompositePass::check_sizes(const CompositeTargets& targets) const {
-    const auto print = [](const rhi::Extent& e) { return std::to_string(e.width) + "x" + std::to_string(e.height); };
-    const auto extent_of = [&](rhi::Texture texture) {
-        const rhi::TextureDesc* desc = texture ? shared_.objects.device().find(texture) : nullptr;
-        return desc ? desc->extent : targets.extent;
-    };
-    const rhi::Extent size = extent_of(targets.target);
-    if (!(size == targets.extent))
-        reject("targets.extent", print(targets.extent), print(size) + ", the size of targets.target");
-    const auto same = [&](rhi::Texture texture, const char* field) {
-        const rhi::Extent given = extent_of(texture);
-        if (!(given == size)) reject(field, print(given), print(size) + ", the size of targets.target");
-    };
-    if (settings_.scene_color) same(targets.scene_color, "targets.scene_color");
-    if (settings_.scene_depth) same(targets.scene_depth, "targets.scene_depth");
-    same(targets.directions, "targets.directions");
-}
-
 CompositePass::Prepared CompositePass::bind(const CompositeTargets& targets, rhi::Texture shadow_map, std::uint64_t use) const {
     Prepared prepared{targets, shared_.objects.sibling(), {}, {}, use};
     while (prepared.sums.size() < sums_between(runs_.size()))
@@ -158,7 +154,7 @@ std::vector<rhi::Binding> CompositePass::tables(std::size_t run) const {
 }
 
 void CompositePass::prepare(const CompositeTargets& targets) {
-    check(targets);
+    check_targets(shared_.objects.device(), settings_, shadows_.enabled(), targets);
     if (find(targets) != nullptr) return;
     make_pipelines(static_cast<bool>(targets.directions));
     prepared_.push_back(bind(targets, shadows_.map(), ++uses_));
@@ -183,12 +179,12 @@ std::vector<CompositePass::Prepared> CompositePass::prepared_with(rhi::Texture s
 }
 
 void CompositePass::release(const CompositeTargets& targets) noexcept {
-    std::erase_if(prepared_, [&](const Prepared& p) { return same_targets(p.targets, targets); });
+    std::erase_if(prepared_, [&](const Prepared& p) { return p.targets == targets; });
 }
 
 CompositePass::Prepared* CompositePass::find(const CompositeTargets& targets) noexcept {
     for (Prepared& p : prepared_)
-        if (same_targets(p.targets, targets)) return &p;
+        if (p.targets == targets) return &p;
     return nullptr;
 }
 

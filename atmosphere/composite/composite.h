@@ -10,6 +10,8 @@
 namespace aureole::detail {
 
 void validate(const CompositeSettings& settings);
+/// Throws Error(invalid_argument) naming what is missing, or of another size; (unsupported) for directions with `shadows`.
+void check_targets(const rhi::Device& device, const CompositeSettings& settings, bool shadows, const CompositeTargets& targets);
 
 class CompositePass {
 public:
@@ -50,8 +52,6 @@ private:
     void make_pipelines(bool given_directions);
     [[nodiscard]] Prepared bind(const CompositeTargets& targets, rhi::Texture shadow_map, std::uint64_t use) const;
     [[nodiscard]] rhi::BindingSet bind(const Prepared& prepared, std::size_t run, rhi::Texture shadow_map) const;
-    void check(const CompositeTargets& targets) const;
-    void check_sizes(const CompositeTargets& targets) const;
     [[nodiscard]] std::vector<rhi::Binding> tables(std::size_t run) const;
 
     ViewResources& shared_;

@@ -39,7 +39,8 @@ std::optional<PlanError> error_of(const PlanRequirements& requirements, const Me
         worst.bound = std::max(worst.bound, sky->bound);
         const std::optional<PredictedError> through =
             requirements.geometry ? predictor.predict(measured.aerial_p95, place) : std::nullopt;
-        if (!through) continue;
+        if (!requirements.geometry) continue;
+        if (!through) return {};
         worst.p95 = std::max(worst.p95, through->likely);
         worst.bound = std::max(worst.bound, through->bound);
     }
@@ -77,13 +78,19 @@ std::optional<std::size_t> least(const std::vector<PlanCandidate>& candidates, c
 
 }  // namespace
 
-std::vector<Situation> situations_of(const PlanRequirements& requirements) {
+std::vector<Situation> situations_of(const PlanRequirements& requirements, const MeasuredSkies& skies) {
     const AirCoordinates air(requirements.air);
     const Planet& planet = requirements.air.planet;
-    const auto suns = spread_over(requirements.sun_elevation_deg, sun_steps, sun_axis, elevation_of);
+    auto suns = spread_over(requirements.sun_elevation_deg, sun_steps, sun_axis, elevation_of);
     const auto altitudes = spread_over(
         requirements.altitude_m, altitude_steps, [&](double m) { return altitude_axis(m, planet); },
         [&](double on_axis) { return altitude_of(on_axis, planet); });
+    // What was measured worst is not passed over.
+    for (const MeasuredScene& scene : skies.scenes)
+        if (scene.sun_elevation_deg > requirements.sun_elevation_deg.least &&
+            scene.sun_elevation_deg < requirements.sun_elevation_deg.most &&
+            std::ranges::find(suns, scene.sun_elevation_deg) == suns.end())
+            suns.push_back(scene.sun_elevation_deg);
     std::vector<Situation> result;
     for (const double sun : suns)
         for (const double altitude : altitudes) result.push_back(air.at(sun, altitude));
@@ -101,14 +108,15 @@ CostParts cost_of(const PlanRequirements& requirements, const MeasuredCost& meas
     parts.cost.frame_ms =
         views * (composite * pixels * shown + suns * tables * measured.view_ms) + parts.aerial_perspective_ms + parts.light_ms;
     parts.cost.rebuild_ms = tables * measured.rebuild_ms;
-    parts.cost.mebibytes = measured.mebibytes;
+    const double aerial_mib = requirements.geometry ? measured.aerial_perspective_mib : 0;
+    parts.cost.mebibytes = measured.air_mib + views * suns * (measured.view_mib + aerial_mib);
     parts.cost.charged_ms = parts.cost.frame_ms + requirements.rebuilds_per_frame * parts.cost.rebuild_ms;
     return parts;
 }
 
 std::vector<PlanCandidate> candidates_of(const PlanRequirements& requirements, const MeasuredSkies& skies,
                                          Predictor& predictor) {
-    const std::vector<Situation> places = situations_of(requirements);
+    const std::vector<Situation> places = situations_of(requirements, skies);
     std::vector<PlanCandidate> result;
     for (const MeasuredSetting& measured : skies.settings) {
         PlanCandidate& candidate = result.emplace_back();
@@ -132,15 +140,17 @@ std::size_t best_of(const PlanRequirements& requirements, const std::vector<Plan
     const auto cost = [](const PlanCandidate& one) { return one.cost.charged_ms; };
     const auto error = [](const PlanCandidate& one) { return one.error.bound; };
     const auto tolerable = [](const PlanCandidate& one) { return one.tolerable; };
-    const auto affordable = [&](const PlanCandidate& one) {
-        return (!requirements.budget_ms || one.cost.charged_ms <= *requirements.budget_ms) &&
-               (!requirements.budget_mib || one.cost.mebibytes <= *requirements.budget_mib);
+    // By how much it breaks the budget that it breaks most; up to 1: it keeps them.
+    const auto excess = [&](const PlanCandidate& one) {
+        return std::max(requirements.budget_ms ? one.cost.charged_ms / *requirements.budget_ms : 0.0,
+                        requirements.budget_mib ? one.cost.mebibytes / *requirements.budget_mib : 0.0);
     };
+    const auto affordable = [&](const PlanCandidate& one) { return excess(one) <= 1; };
     const auto any = [](const PlanCandidate&) { return true; };
     const auto best = requirements.tolerance ? least(candidates, tolerable, cost, error) : std::nullopt;
     if (best) return *best;
     if (const auto accurate = least(candidates, affordable, error, cost)) return *accurate;
-    return least(candidates, any, cost, error).value();
+    return least(candidates, any, excess, error).value();
 }
 
 }  // namespace aureole::detail

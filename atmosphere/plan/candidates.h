@@ -10,8 +10,8 @@
 
 namespace aureole::detail {
 
-/// Places that stand for the ranges: their ends, and some between.
-[[nodiscard]] std::vector<Situation> situations_of(const PlanRequirements& requirements);
+/// Places that stand for the ranges: their ends, some between, and every elevation between that was measured.
+[[nodiscard]] std::vector<Situation> situations_of(const PlanRequirements& requirements, const MeasuredSkies& skies);
 
 /// All of `skies`, in their order. `predictor` is one of them.
 [[nodiscard]] std::vector<PlanCandidate> candidates_of(const PlanRequirements& requirements, const MeasuredSkies& skies,
@@ -26,7 +26,7 @@ struct CostParts {
 
 /// Index of the candidate that a plan takes: the cheapest that is tolerable, or (without a tolerance) the most accurate that
 /// is; of those that cost the same within a tenth, or are as accurate, the better. If none is tolerable, the most accurate
-/// within the budgets, else the cheapest. At least one is not excluded.
+/// within the budgets, else the one that breaks them least. At least one is not excluded.
 [[nodiscard]] std::size_t best_of(const PlanRequirements& requirements, const std::vector<PlanCandidate>& candidates);
 
 }  // namespace aureole::detail

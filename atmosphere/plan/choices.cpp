@@ -61,9 +61,11 @@ private:
         if (!plan_.tolerable)
             reason = "nothing measured meets the requirements; this comes closest";
         else if (by_tolerance())
-            reason = "the cheapest of " + std::to_string(count) + " settings that meet the requirements";
+            reason = count == 1 ? "the only setting that meets the requirements"
+                                : "the cheapest of " + std::to_string(count) + " settings that meet the requirements";
         else
-            reason = "the most accurate of " + std::to_string(count) + " settings within the budget";
+            reason = count == 1 ? "the only setting within the budget"
+                                : "the most accurate of " + std::to_string(count) + " settings within the budget";
         choices_.push_back({"model",
                             plan_.setting.model + " " + plan_.setting.quality +
                                 (plan_.setting.in_rgb() ? "" : ", " + plan_.setting.spectral + " wavelengths"),
@@ -108,7 +110,7 @@ private:
 
     void add_passes() {
         const auto setting = std::ranges::find(skies_.settings, plan_.setting, &MeasuredSetting::setting);
-        const std::optional<MeasuredCost> measured = predictor_.cost(*setting, situations_of(requirements_).front());
+        const std::optional<MeasuredCost> measured = predictor_.cost(*setting, situations_of(requirements_, skies_).front());
         PlanRequirements whole = requirements_;
         whole.geometry = whole.light = true;
         const CostParts parts = cost_of(whole, *measured);
@@ -123,10 +125,15 @@ private:
         add("aerial perspective", requirements_.geometry, parts.aerial_perspective_ms, "geometry is seen through the air",
             "no geometry");
         add("light", requirements_.light, parts.light_ms, "the host's materials need it", "no material needs it");
+        if (requirements_.shadows)
+            choices_.push_back({"shadows", "recorded", "what they cost was not measured: it comes on top", {}, {}});
+        if (plan_.setting.model != "aureole")
+            choices_.push_back(
+                {"tables", with_unit(plan_.cost.mebibytes, "MiB"), "of " + plan_.setting.id() + ": sizes on its page", {}, {}});
     }
 
     void add_tables() {
-        const QualitySettings q = plan_.model->quality_for(requirements_.air);
+        const QualitySettings q = plan_.model->quality_for(plan_.air);
         const auto size = [](const rhi::Extent& e, rhi::Format format) {
             return std::to_string(e.width) + "x" + std::to_string(e.height) +
                    (e.depth > 1 ? "x" + std::to_string(e.depth) : "") + " " + std::string(rhi::to_string(format));

@@ -33,7 +33,9 @@ struct MeasuredCost {
     double view_ms = 0;                ///< Tables of the camera, without those of geometry and light.
     double aerial_perspective_ms = 0, light_ms = 0;
     double rebuild_ms = 0;  ///< Tables of the air.
-    double mebibytes = 0;   ///< Tables of the air and of one view; 0: not measured in this air.
+    double air_mib = 0;     ///< Memory of those; 0: not measured in this air.
+    double view_mib = 0;    ///< Of a view's tables, for one sun, without those of geometry.
+    double aerial_perspective_mib = 0;
 };
 
 struct MeasuredSetting {
@@ -45,6 +47,7 @@ struct MeasuredSetting {
 struct MeasuredScene {
     std::string id;
     std::size_t air = 0;  ///< Index of MeasuredSkies::airs.
+    double sun_elevation_deg = 0, altitude_m = 0;
     Situation situation{};
 };
 

@@ -26,6 +26,7 @@ const MeasuredSkies& skies_for(const PlanRequirements& requirements) {
 /// What the view makes is what is needed.
 ViewSettings view_for(const PlanRequirements& requirements) {
     ViewSettings view;
+    view.projection = requirements.projection;
     view.max_suns = requirements.suns;
     view.aerial_perspective = requirements.geometry;
     view.aerial_perspective_distance_m = requirements.geometry_range_m;
@@ -43,7 +44,7 @@ std::vector<PlanCandidate> by_cost(std::vector<PlanCandidate> candidates) {
 }
 
 /// The place that is least like any that was measured.
-Predictor::Nearest farthest(const Predictor& predictor, const std::vector<Situation>& places) {
+Predictor::Nearest farthest(Predictor& predictor, const std::vector<Situation>& places) {
     Predictor::Nearest worst = predictor.nearest(places.front(), nearest_named);
     for (const Situation& place : places) {
         Predictor::Nearest here = predictor.nearest(place, nearest_named);
@@ -58,6 +59,7 @@ void validate(const PlanRequirements& r) {
     validate(r.air);
     check_range("sun_elevation_deg", r.sun_elevation_deg, -90, 90);
     check_range("altitude_m", r.altitude_m, -1e4, 1e12);
+    check_enum("projection", r.projection, Projection::fisheye, "matrix, panorama or fisheye");
     check("geometry_range_m", r.geometry_range_m, 1e-3, 1e13);
     check("suns", r.suns, 1, 4);
     check("views", r.views, 1, 64);
@@ -91,7 +93,7 @@ Plan plan(const PlanRequirements& requirements) {
     plan.air = std::move(prepared.air);
     plan.model = std::move(prepared.model);
     plan.view = view_for(requirements);
-    const Predictor::Nearest near = farthest(predictor, situations_of(requirements));
+    const Predictor::Nearest near = farthest(predictor, situations_of(requirements, skies));
     for (const std::size_t scene : near.scenes) plan.nearest.push_back(skies.scenes[scene].id);
     plan.distance = near.distance;
     plan.measured_on = skies.device;
@@ -106,7 +108,10 @@ DeviceSpeed calibrated(const SpeedSample& sample) {
     check("tables_ms", sample.tables_ms, 1e-9, 1e9);
     const MeasuredSkies& skies = measured_in_rgb();
     const auto air = static_cast<std::size_t>(std::ranges::find(skies.airs, "earth") - skies.airs.begin());
-    const MeasuredCost& known = std::ranges::find(skies.settings, speed_setting(), &MeasuredSetting::setting)->by_air[air];
+    const auto setting = std::ranges::find(skies.settings, speed_setting(), &MeasuredSetting::setting);
+    if (air >= skies.airs.size() || setting == skies.settings.end() || setting->by_air.at(air).air_mib == 0)
+        throw Error(ErrorCode::unsupported, "speed", speed_setting().id() + " in clear air", "what was measured");
+    const MeasuredCost& known = setting->by_air[air];
     const double tables_ms = known.view_ms + known.aerial_perspective_ms + known.light_ms + known.rebuild_ms;
     const auto within = [](double factor) { return std::clamp(factor, 1e-6, 1e6); };
     return {within(sample.composite_ms / known.composite_ms), within(sample.tables_ms / tables_ms)};

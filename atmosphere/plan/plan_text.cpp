@@ -40,7 +40,7 @@ std::string Plan::text() const {
     text += neighbours(*this);
     text += "by the measured scenes";
     for (std::size_t i = 0; i < nearest.size(); ++i) text += (i == 0 ? " " : ", ") + nearest[i];
-    text += distance > 1 ? ": FAR from all of them, so the bound is wide\n" : "\n";
+    text += distance > 1 ? ": FAR from all of them, so the bound need not hold\n" : "\n";
     text += "costs as on " + measured_on + ", or as calibrated\n";
     return text;
 }

@@ -9,10 +9,15 @@
 namespace aureole::detail {
 namespace {
 
-constexpr std::array costs{&MeasuredCost::composite_ms, &MeasuredCost::composite_geometry_ms,
-                           &MeasuredCost::view_ms,      &MeasuredCost::aerial_perspective_ms,
-                           &MeasuredCost::light_ms,     &MeasuredCost::rebuild_ms,
-                           &MeasuredCost::mebibytes};
+constexpr std::array costs{&MeasuredCost::composite_ms,
+                           &MeasuredCost::composite_geometry_ms,
+                           &MeasuredCost::view_ms,
+                           &MeasuredCost::aerial_perspective_ms,
+                           &MeasuredCost::light_ms,
+                           &MeasuredCost::rebuild_ms,
+                           &MeasuredCost::air_mib,
+                           &MeasuredCost::view_mib,
+                           &MeasuredCost::aerial_perspective_mib};
 constexpr double least_cost = 1e-6;  // of what takes no time at all
 
 /// The air alone.
@@ -50,7 +55,7 @@ std::optional<PredictedError> Predictor::predict(const MeasuredError& error, con
     std::vector<std::size_t> points;
     for (const std::size_t i : scenes_)
         if (error.by_scene[i] != MeasuredError::unknown) points.push_back(i);
-    if (points.empty()) return {};
+    if (points.size() < fewest_scenes) return {};
     const Known& from = known(std::move(points), false, place);
     double logarithm = 0;
     for (std::size_t k = 0; k < from.points.size(); ++k)
@@ -62,7 +67,7 @@ std::optional<PredictedError> Predictor::predict(const MeasuredError& error, con
 std::optional<MeasuredCost> Predictor::cost(const MeasuredSetting& setting, const Situation& place) {
     std::vector<std::size_t> points;
     for (std::size_t air = 0; air < setting.by_air.size(); ++air)
-        if (setting.by_air[air].mebibytes > 0) points.push_back(air);
+        if (setting.by_air[air].air_mib > 0) points.push_back(air);
     if (points.empty()) return {};
     const Known& from = known(std::move(points), true, at_rest(place));
     MeasuredCost result;
@@ -70,17 +75,19 @@ std::optional<MeasuredCost> Predictor::cost(const MeasuredSetting& setting, cons
         double logarithm = 0;
         for (std::size_t k = 0; k < from.points.size(); ++k)
             logarithm += from.weights->of_points[k] * std::log(setting.by_air[from.points[k]].*cost + least_cost);
-        result.*cost = std::max(std::exp(logarithm) - least_cost, 0.0);
+        const double found = std::exp(logarithm);
+        result.*cost = found < 1.001 * least_cost ? 0 : found - least_cost;
     }
     return result;
 }
 
-Predictor::Nearest Predictor::nearest(const Situation& place, std::size_t most) const {
-    Nearest result{scenes_, 0};
+Predictor::Nearest Predictor::nearest(const Situation& place, std::size_t most) {
+    const Known& all = known(scenes_, false, place);
+    if (loneliest_ == 0) loneliest_ = std::ranges::max(all.kriging.left_out_variances());
+    Nearest result{scenes_, std::sqrt(all.weights->variance / loneliest_)};
     const auto near = [&](std::size_t i) { return covariance(skies_.scenes[i].situation, place, skies_.lengths); };
     std::ranges::sort(result.scenes, std::ranges::greater(), near);
     result.scenes.resize(std::min(result.scenes.size(), most));
-    result.distance = result.scenes.empty() ? 0 : std::max(-std::log(near(result.scenes.front())), 0.0);
     return result;
 }
 

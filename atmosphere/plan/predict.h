@@ -11,6 +11,9 @@
 
 namespace aureole::detail {
 
+/// An error that is known in fewer scenes is not predicted.
+inline constexpr std::size_t fewest_scenes = 4;
+
 /// Relative errors of radiance.
 struct PredictedError {
     double likely = 0;  ///< Middle of what is to be expected.
@@ -22,16 +25,17 @@ public:
     /// `skies` outlives this object. `scenes`: those to go by, as indices; empty: all.
     explicit Predictor(const MeasuredSkies& skies, std::vector<std::size_t> scenes = {});
 
-    /// None where the setting was measured in no scene.
+    /// None where the error is known in too few scenes.
     [[nodiscard]] std::optional<PredictedError> predict(const MeasuredError& error, const Situation& place);
     /// In an air as that of `place`; none where the setting was measured in no air.
     [[nodiscard]] std::optional<MeasuredCost> cost(const MeasuredSetting& setting, const Situation& place);
-    /// Scenes that count most for a place, the first most, and how far the nearest is, in units of Kriging's lengths.
+    /// The scenes that are most like a place, most of all the first; and how far it is from all of them: 0 at a scene, 1 as
+    /// far as the loneliest scene is from the others, by the deviation that Kriging expects.
     struct Nearest {
         std::vector<std::size_t> scenes;
         double distance = 0;
     };
-    [[nodiscard]] Nearest nearest(const Situation& place, std::size_t most) const;
+    [[nodiscard]] Nearest nearest(const Situation& place, std::size_t most);
 
 private:
     struct Known {
@@ -45,6 +49,7 @@ private:
 
     const MeasuredSkies& skies_;
     std::vector<std::size_t> scenes_;
+    double loneliest_ = 0;         // variance of the scene that is least like the others; 0: not found yet
     std::vector<Situation> airs_;  // sun and camera at rest: by index of MeasuredSkies::airs
     std::map<std::pair<bool, std::vector<std::size_t>>, Known> known_;
 };

@@ -8,7 +8,6 @@ namespace aureole::detail {
 
 CrossfadePass::CrossfadePass(rhi::Device& device, const std::uint64_t& frame, rhi::Format target_format, bool raster)
     : objects_(device, frame), format_(target_format), raster_(raster), nearest_(objects_.sampler(rhi::Filter::nearest)) {
-    report_.name = "crossfade";
     pipeline_ =
         raster ? objects_.raster(shaders::crossfade_raster, {}, target_format) : objects_.compute(shaders::crossfade, {});
 }
@@ -22,8 +21,11 @@ CrossfadePass::Target* CrossfadePass::find(rhi::Texture target) noexcept {
     return found == targets_.end() ? nullptr : &*found;
 }
 
-void CrossfadePass::prepare(rhi::Texture target, rhi::Extent extent) {
-    if (find(target) != nullptr) return;
+bool CrossfadePass::prepare(rhi::Texture target, rhi::Extent extent) {
+    if (const Target* known = find(target)) {
+        const rhi::Extent size = known->pictures.before.extent;
+        if (size.width == extent.width && size.height == extent.height) return false;
+    }
     Target made{target, objects_.sibling(), {}, {}};
     const rhi::Usage usage = rhi::Usage::sampled | (raster_ ? rhi::Usage::color_attachment : rhi::Usage::storage);
     const auto picture = [&](const char* name) {
@@ -34,14 +36,20 @@ void CrossfadePass::prepare(rhi::Texture target, rhi::Extent extent) {
                                     {1, made.pictures.after.handle, nearest_, {}}};
     if (!raster_) slots.push_back({2, target, {}, {}});
     made.bindings = made.objects->bindings("crossfade", pipeline_, slots);
+    targets_.reserve(targets_.size() + 1);
+    release(target);  // of another size
     targets_.push_back(std::move(made));
+    return true;
 }
 
 void CrossfadePass::release(rhi::Texture target) noexcept {
     std::erase_if(targets_, [&](const Target& one) { return one.texture == target; });
 }
 
-CrossfadePass::Pictures& CrossfadePass::pictures(rhi::Texture target) { return find(target)->pictures; }
+CrossfadePass::Pictures* CrossfadePass::pictures(rhi::Texture target) noexcept {
+    Target* found = find(target);
+    return found == nullptr ? nullptr : &found->pictures;
+}
 
 void CrossfadePass::invalidate() noexcept {
     for (Target& target : targets_)
@@ -54,7 +62,9 @@ void CrossfadePass::record(rhi::CommandList& commands, rhi::Texture texture, dou
     move(commands, {{&target.pictures.before, rhi::State::sampled}, {&target.pictures.after, rhi::State::sampled}});
     const glm::vec4 push(static_cast<float>(extent.width), static_cast<float>(extent.height), static_cast<float>(share), 0);
     const auto bytes = std::as_bytes(std::span(&push, 1));
-    PassScope scope(commands, report_, {}, 0);
+    PassReport report;
+    report.name = "crossfade";
+    PassScope scope(commands, report, {}, 0);
     if (raster_)
         commands.draw_fullscreen({pipeline_, target.bindings, bytes, texture});
     else

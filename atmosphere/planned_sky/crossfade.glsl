@@ -8,13 +8,13 @@ SAMPLER_2D(0, picture_before)
 SAMPLER_2D(1, picture_after)
 
 struct CrossfadeShare {
-    vec4 size;  // x, y: width and height of the target; z: share of picture_after, in [0, 1]
+    vec4 size;  // x, y: width and height of the target; z: share of picture_after, between 0 and 1
 };
 PUSH_CONSTANTS(CrossfadeShare, fade)
 
 vec4 crossfade_pixel(ivec2 pixel) {
-    vec4 before = texelFetch(picture_before, pixel, 0);
-    return before + (texelFetch(picture_after, pixel, 0) - before) * fade.size.z;
+    // Not before + (after - before) share: where both are infinite (a sun's disk in half floats) that is not a number.
+    return texelFetch(picture_before, pixel, 0) * (1 - fade.size.z) + texelFetch(picture_after, pixel, 0) * fade.size.z;
 }
 
 #endif

@@ -13,18 +13,20 @@ public:
     /// `frame` outlives this object: objects given up die in that frame.
     CrossfadePass(rhi::Device& device, const std::uint64_t& frame, rhi::Format target_format, bool raster);
 
-    /// Two pictures of the target's size to composite into, in place of the target; made once for each size.
+    /// Two pictures of the target's size to composite into, in place of the target.
     struct Pictures {
         TrackedTexture before, after;
     };
-    /// Makes what a fade into this target needs. Throws and changes nothing if the device refuses.
-    void prepare(rhi::Texture target, rhi::Extent extent);
+    /// Makes what a fade into this target needs, unless that is there; true if it was not. Throws and changes nothing if the
+    /// device refuses.
+    bool prepare(rhi::Texture target, rhi::Extent extent);
     void release(rhi::Texture target) noexcept;
-    /// Of a prepared target.
-    [[nodiscard]] Pictures& pictures(rhi::Texture target);
+    /// Null of a target that is not prepared.
+    [[nodiscard]] Pictures* pictures(rhi::Texture target) noexcept;
     /// The state in which a composite wants its target.
     [[nodiscard]] rhi::State written() const noexcept;
-    /// Both pictures have been written; into the target, which is in written() and stays there. `share`: of the second.
+    /// Both pictures have been written; into the target, which is prepared, in written(), and stays there. `share`: of the
+    /// second.
     void record(rhi::CommandList& commands, rhi::Texture target, double share);
     /// What the pictures hold is lost.
     void invalidate() noexcept;
@@ -43,7 +45,6 @@ private:
     bool raster_;
     rhi::Sampler nearest_;
     rhi::Pipeline pipeline_;
-    PassReport report_;
     std::vector<Target> targets_;
 };
 

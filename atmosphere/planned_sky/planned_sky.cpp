@@ -1,3 +1,5 @@
+#include "composite/composite.h"
+#include "module/requirements.h"
 #include "plan/axes.h"
 #include "planned_sky/crossfade.h"
 
@@ -73,14 +75,13 @@ PlanRequirements near(const PlanRequirements& needs, const Place& place, double 
 
 /// A plan, and what draws it.
 struct Sky {
-    Sky(rhi::Device& device, const Plan& plan_in, const CompositeSettings& composite, std::uint64_t frame, int passes_per_frame)
+    Sky(rhi::Device& device, const Plan& plan_in, const CompositeSettings& composite, std::uint64_t frame)
         : plan(plan_in), air(device, plan.air, plan.model), view(air, plan.view, composite) {
         air.set_frame(frame);
-        if (passes_per_frame > 0) air.set_multi_scatter_passes_per_frame(passes_per_frame, true);
     }
     void record(rhi::CommandList& commands) {
         air.record(commands);
-        if (air.progress() < 1) return;
+        if (!ready && air.progress() < 1) return;
         view.record(commands);
         ready = true;
     }
@@ -95,9 +96,11 @@ CompositeTargets into(CompositeTargets targets, const TrackedTexture& picture) {
     return targets;
 }
 
-bool same(const CompositeTargets& a, const CompositeTargets& b) {
-    return a.scene_color == b.scene_color && a.scene_depth == b.scene_depth && a.target == b.target &&
-           a.directions == b.directions && a.extent == b.extent;
+void check_together(const PlanRequirements& needs, const CompositeSettings& composite) {
+    if (needs.shadows)
+        throw Error(ErrorCode::unsupported, "shadows", "true", "false for a PlannedSky, which takes no shadow maps");
+    if (composite.scene_depth && !needs.geometry)
+        reject("composite.scene_depth", "true", "false without PlanRequirements::geometry");
 }
 
 }  // namespace
@@ -107,50 +110,101 @@ struct PlannedSky::Impl {
          const FollowSettings& follow_in)
         : device(device_in), needs(needs_in), composite(composite_in), follow(follow_in) {
         check_follow(follow);
+        detail::validate(composite);
+        require_target(device, composite);
+        check_together(needs, composite);
         first_plan = aureole::plan(needs);
+        prepared.reserve(max_targets);
         if (follow.fade_frames > 0) fade.emplace(device, frame, composite.target_format, composite.raster);
     }
 
-    /// A new plan for this place, and a sky for it where it is another one. Throws and changes nothing.
-    void plan_for(const Place& place, PlanUpdate& result) {
-        const Plan fresh = aureole::plan(near(needs, place, follow.margin));
-        result.planned = true;
-        const std::vector<PlanChange> changes = current ? differences(current->plan, fresh) : std::vector<PlanChange>();
-        if (current && fresh.setting == current->plan.setting) {
-            if (redo) current->air.set_parameters(fresh.air);
-            current->plan = fresh;
-        } else {
-            auto made = std::make_unique<Sky>(device, fresh, composite, frame, current ? follow.passes_per_frame : 0);
-            for (const CompositeTargets& targets : prepared) prepare(*made, targets, current != nullptr);
-            if (current)
-                for (const CompositeTargets& targets : prepared) prepare_before(targets);
-            (current ? next : current) = std::move(made);
-            result.changes = changes;
-            faded = 0;
+    void check_inputs(const Camera& camera, std::span<const Sun> suns) const {
+        validate(camera);
+        if (camera.kind != needs.projection) reject("camera.kind", "another", "that of PlanRequirements::projection");
+        for (const Sun& sun : suns) validate(sun);
+        check_count("suns", suns.size(), 0, needs.suns);
+    }
+
+    /// What an update is about to change; nothing has been changed yet.
+    struct Next {
+        bool promoted = false;  // the sky that has been fading in is the only one from here on
+        std::uint32_t faded = 0;
+        Plan plan;                 // with update.planned
+        std::unique_ptr<Sky> sky;  // for that plan, if it is another setting
+        PlanUpdate update;
+    };
+
+    [[nodiscard]] Next think(const Place& place) {
+        Next result;
+        result.faded = faded + (next && next->ready && shown_since ? 1 : 0);
+        result.promoted = next && next->ready && result.faded >= follow.fade_frames && shown_since;
+        Sky* stays = result.promoted ? next.get() : current.get();
+        const bool here =
+            within(place.sun, planned_at.sun, follow.margin) && within(place.altitude, planned_at.altitude, follow.margin);
+        if (stays != nullptr && ((next && !result.promoted) || (here && !redo))) return result;
+        // Twice as wide as it is left: it holds while the next one is made ready.
+        result.plan = aureole::plan(near(needs, place, 2 * follow.margin));
+        result.update.planned = true;
+        if (stays != nullptr) result.update.changes = differences(stays->plan, result.plan);
+        if (stays == nullptr || !(result.plan.setting == stays->plan.setting))
+            result.sky = std::make_unique<Sky>(device, result.plan, composite, frame);
+        return result;
+    }
+
+    /// Everything of the device that it takes. May throw; what is left then does no harm.
+    void make_ready(Next& to, const Camera& camera, std::span<const Sun> suns) {
+        Sky* stays = to.promoted ? next.get() : current.get();
+        if (to.promoted) stays->air.set_multi_scatter_passes_per_frame(follow.passes_per_frame);
+        if (to.sky) {
+            const bool fades_in = stays != nullptr && fade.has_value();
+            if (stays != nullptr && follow.passes_per_frame > 0)
+                to.sky->air.set_multi_scatter_passes_per_frame(follow.passes_per_frame, true);
+            for (const CompositeTargets& targets : prepared) {
+                prepare(*to.sky, targets, fades_in ? &CrossfadePass::Pictures::after : nullptr);
+                if (fades_in) prepare(*stays, targets, &CrossfadePass::Pictures::before);
+            }
+            to.sky->view.update(camera, suns);
         }
+        for (Sky* sky : {current.get(), next.get()})
+            if (sky != nullptr && (sky != current.get() || !to.promoted)) sky->view.update(camera, suns);
+        if (to.update.planned && !to.sky) stays->air.set_parameters(to.plan.air);
+    }
+
+    void commit(Next& to, const Place& place) noexcept {
+        faded = to.faded;
+        shown_since = false;
+        if (to.promoted) {
+            current = std::move(next);
+            if (fade)
+                for (const CompositeTargets& targets : prepared)
+                    if (const auto* pictures = fade->pictures(targets.target))
+                        current->view.release_composite(into(targets, pictures->after));
+        }
+        if (!to.update.planned) return;
         planned_at = place;
         redo = false;
+        if (!to.sky) {
+            current->plan = std::move(to.plan);
+            return;
+        }
+        (current ? next : current) = std::move(to.sky);
+        faded = 0;
     }
 
-    void prepare(Sky& sky, const CompositeTargets& targets, bool fades_in) {
+    void prepare(Sky& sky, const CompositeTargets& targets, TrackedTexture CrossfadePass::Pictures::*picture) {
         sky.view.prepare_composite(targets);
-        if (fades_in && fade) sky.view.prepare_composite(into(targets, fade->pictures(targets.target).after));
+        if (picture != nullptr) sky.view.prepare_composite(into(targets, fade->pictures(targets.target)->*picture));
     }
-    void prepare_before(const CompositeTargets& targets) {
-        if (fade) current->view.prepare_composite(into(targets, fade->pictures(targets.target).before));
+    /// In all skies there are.
+    void prepare(const CompositeTargets& targets) {
+        if (current) prepare(*current, targets, next && fade ? &CrossfadePass::Pictures::before : nullptr);
+        if (next) prepare(*next, targets, fade ? &CrossfadePass::Pictures::after : nullptr);
     }
 
-    [[nodiscard]] double share() const {
+    [[nodiscard]] double share() const noexcept {
         if (!next) return 1;
-        if (!next->ready) return 0;
-        return follow.fade_frames == 0 ? 1 : static_cast<double>(faded) / follow.fade_frames;
-    }
-
-    /// A frame of the fade; at its end the new sky is the only one.
-    void go_on() {
-        if (!next || !next->ready) return;
-        if (share() < 1) ++faded;
-        if (share() >= 1) current = std::move(next);
+        if (!next->ready || follow.fade_frames == 0) return 0;
+        return static_cast<double>(faded) / follow.fade_frames;
     }
 
     rhi::Device& device;
@@ -163,7 +217,8 @@ struct PlannedSky::Impl {
     std::unique_ptr<Sky> current, next;
     std::vector<CompositeTargets> prepared;
     Place planned_at;
-    bool redo = false;  // the air is another one
+    bool redo = false;         // the air is another one
+    bool shown_since = false;  // a composite has been recorded since the last update
     std::uint32_t faded = 0;
 };
 
@@ -174,19 +229,13 @@ PlannedSky::~PlannedSky() = default;
 
 PlanUpdate PlannedSky::update(const Camera& camera, std::span<const Sun> suns) {
     Impl& impl = *impl_;
-    validate(camera);
-    for (const Sun& sun : suns) validate(sun);
-    check_count("suns", suns.size(), 0, impl.needs.suns);
-    PlanUpdate result;
+    impl.check_inputs(camera, suns);
     const Place place = place_of(impl.needs.air.planet, camera, suns, impl.planned_at);
-    const bool stays = within(place.sun, impl.planned_at.sun, impl.follow.margin) &&
-                       within(place.altitude, impl.planned_at.altitude, impl.follow.margin);
-    impl.go_on();
-    if (!impl.current || (!impl.next && (impl.redo || !stays))) impl.plan_for(place, result);
-    impl.current->view.update(camera, suns);
-    if (impl.next) impl.next->view.update(camera, suns);
-    result.share = impl.share();
-    return result;
+    Impl::Next next = impl.think(place);
+    impl.make_ready(next, camera, suns);
+    impl.commit(next, place);
+    next.update.share = impl.share();
+    return std::move(next.update);
 }
 
 const Plan& PlannedSky::plan() const noexcept {
@@ -195,17 +244,19 @@ const Plan& PlannedSky::plan() const noexcept {
 }
 
 void PlannedSky::set_air(const AtmosphereParameters& air) {
-    validate(air);
+    PlanRequirements needs = impl_->needs;
+    needs.air = air;
+    (void)aureole::plan(needs);  // throws where there is no plan for it
     if (air == impl_->needs.air) return;
-    impl_->needs.air = air;
+    impl_->needs = std::move(needs);
     impl_->redo = true;
 }
 
 void PlannedSky::set_exposure(double exposure) {
     check("composite.exposure", exposure, 1e-30, 1e30);
-    impl_->composite.exposure = exposure;
     for (Sky* sky : {impl_->current.get(), impl_->next.get()})
         if (sky != nullptr) sky->view.set_exposure(exposure);
+    impl_->composite.exposure = exposure;
 }
 
 void PlannedSky::set_frame(std::uint64_t frame) noexcept {
@@ -216,29 +267,33 @@ void PlannedSky::set_frame(std::uint64_t frame) noexcept {
 
 void PlannedSky::prepare_composite(const CompositeTargets& targets) {
     Impl& impl = *impl_;
-    if (impl.fade) impl.fade->prepare(targets.target, targets.extent);
-    if (impl.current) impl.prepare(*impl.current, targets, false);
-    if (impl.next) {
-        impl.prepare(*impl.next, targets, true);
-        impl.prepare_before(targets);
+    check_targets(impl.device, impl.composite, false, targets);
+    const bool known = std::ranges::find(impl.prepared, targets) != impl.prepared.end();
+    if (!known && impl.prepared.size() == max_targets)
+        reject("targets", std::to_string(max_targets + 1),
+               "at most " + std::to_string(max_targets) + " prepared at a time; release_composite gives them up");
+    const bool made = impl.fade && impl.fade->prepare(targets.target, targets.extent);
+    try {
+        impl.prepare(targets);
+    } catch (...) {
+        if (made) impl.fade->release(targets.target);
+        throw;
     }
-    if (std::ranges::none_of(impl.prepared, [&](const CompositeTargets& one) { return same(one, targets); }))
-        impl.prepared.push_back(targets);
+    if (!known) impl.prepared.push_back(targets);
 }
 
 void PlannedSky::release_composite(const CompositeTargets& targets) noexcept {
     Impl& impl = *impl_;
+    if (std::erase(impl.prepared, targets) == 0) return;
+    const CrossfadePass::Pictures* pictures = impl.fade ? impl.fade->pictures(targets.target) : nullptr;
     for (Sky* sky : {impl.current.get(), impl.next.get()}) {
         if (sky == nullptr) continue;
         sky->view.release_composite(targets);
-        if (!impl.fade) continue;
-        CrossfadePass::Pictures& pictures = impl.fade->pictures(targets.target);
-        for (const TrackedTexture* picture : {&pictures.before, &pictures.after})
+        if (pictures == nullptr) continue;
+        for (const TrackedTexture* picture : {&pictures->before, &pictures->after})
             sky->view.release_composite(into(targets, *picture));
     }
-    if (std::erase_if(impl.prepared, [&](const CompositeTargets& one) { return same(one, targets); }) == 0 || !impl.fade)
-        return;
-    if (std::ranges::none_of(impl.prepared, [&](const CompositeTargets& one) { return one.target == targets.target; }))
+    if (impl.fade && std::ranges::none_of(impl.prepared, [&](const auto& one) { return one.target == targets.target; }))
         impl.fade->release(targets.target);
 }
 
@@ -253,15 +308,16 @@ void PlannedSky::record_composite(rhi::CommandList& commands, const CompositeTar
         log()->error("PlannedSky::record_composite: called before PlannedSky::update; nothing is recorded");
         return;
     }
+    impl.shown_since = true;
     const double share = impl.share();
-    if (!impl.next || share <= 0 || !impl.fade) {
+    CrossfadePass::Pictures* pictures = impl.fade ? impl.fade->pictures(targets.target) : nullptr;
+    if (!impl.next || share <= 0 || pictures == nullptr) {
         impl.current->view.record_composite(commands, targets);
         return;
     }
-    CrossfadePass::Pictures& pictures = impl.fade->pictures(targets.target);
-    for (TrackedTexture* picture : {&pictures.before, &pictures.after}) move(commands, {{picture, impl.fade->written()}});
-    impl.current->view.record_composite(commands, into(targets, pictures.before));
-    impl.next->view.record_composite(commands, into(targets, pictures.after));
+    move(commands, {{&pictures->before, impl.fade->written()}, {&pictures->after, impl.fade->written()}});
+    impl.current->view.record_composite(commands, into(targets, pictures->before));
+    impl.next->view.record_composite(commands, into(targets, pictures->after));
     impl.fade->record(commands, targets.target, share);
 }
 
@@ -274,9 +330,13 @@ void PlannedSky::invalidate() noexcept {
         }
 }
 
-rhi::Texture PlannedSky::light_table() const noexcept {
-    if (impl_->next && impl_->next->ready) return impl_->next->view.light_table();
-    return impl_->current && impl_->current->ready ? impl_->current->view.light_table() : rhi::Texture{};
+PlannedLight PlannedSky::light() const noexcept {
+    const Impl& impl = *impl_;
+    const auto table = [](const std::unique_ptr<Sky>& sky) {
+        return sky && sky->ready ? sky->view.light_table() : rhi::Texture{};
+    };
+    const bool fading = impl.next && impl.next->ready;
+    return {table(impl.current), fading ? table(impl.next) : rhi::Texture{}, fading ? impl.share() : 0};
 }
 
 std::uint64_t PlannedSky::table_bytes() const noexcept {

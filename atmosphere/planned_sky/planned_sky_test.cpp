@@ -51,14 +51,15 @@ TwoHours two_hours() {
 
 /// A planned sky, and a target to show it in.
 struct Shown {
-    Shown(Backend& backend_in, double tolerance, bool raster, std::uint32_t frames = fade_frames)
+    Shown(Backend& backend_in, double tolerance, bool raster, std::uint32_t frames = fade_frames, int passes = 0,
+          rhi::Format format = rhi::Format::rgba32_float, double exposure = 10)
         : backend(backend_in),
           state(raster ? rhi::State::color_attachment : rhi::State::storage_write),
           sky(backend.device(), day_and_dusk(tolerance),
               {.target_format = rhi::Format::rgba32_float, .raster = raster, .exposure = 10},
-              {.margin = 0.1, .fade_frames = frames}) {
+              {.margin = 0.1, .fade_frames = frames, .passes_per_frame = passes}) {
         targets.extent = extent;
-        targets.target = backend.make_target(rhi::Format::rgba32_float, extent, state);
+        targets.target = backend.make_target(format, extent, state);
     }
     PlanUpdate update(double sun_deg) {
         const Sun sun = sun_at(sun_deg);
@@ -162,10 +163,101 @@ TEST_CASE("planned sky: nothing is left of the old sky once it is gone, nor of t
     Atmosphere air(backend->device(), shown.sky.plan().air, shown.sky.plan().model);
     View view(air, shown.sky.plan().view, {.target_format = rhi::Format::rgba32_float});
     CHECK(shown.sky.table_bytes() == air.table_bytes() + view.table_bytes());
-    CHECK(shown.sky.light_table());
+    CHECK(shown.sky.light().before);
+    CHECK_FALSE(shown.sky.light().after);
+    const Image kept = shown.show();
     shown.sky.release_composite(shown.targets);
+    shown.sky.release_composite(shown.targets);  // unknown by now
+    CHECK(backend->run([&](rhi::CommandList& commands) { shown.sky.record_composite(commands, shown.targets); }).total() == 0);
     shown.sky.prepare_composite(shown.targets);
+    CHECK(shown.show() == kept);
+}
+
+TEST_CASE("planned sky: targets come and go during a fade") {
+    const auto backend = open_cpu_float();
+    const TwoHours hours = two_hours();
+    Shown shown(*backend, hours.tolerance, false);
+    shown.sky.prepare_composite(shown.targets);
+    for (const double hour : {hours.first_deg, hours.then_deg, hours.then_deg}) {
+        (void)shown.update(hour);
+        (void)shown.show();
+    }
+    const PlannedLight light = shown.sky.light();
+    CHECK(light.after);
+    CHECK(light.share == doctest::Approx(0.2).epsilon(1e-12).scale(1e-300));
+    const Image wanted = shown.show();
+    CompositeTargets late = shown.targets;
+    late.target = backend->make_target(rhi::Format::rgba32_float, extent, shown.state);
+    CHECK(backend->run([&](rhi::CommandList& commands) { shown.sky.record_composite(commands, late); }).total() == 0);
+    shown.sky.prepare_composite(late);
+    backend->run([&](rhi::CommandList& commands) { shown.sky.record_composite(commands, late); });
+    CHECK(backend->read(late.target, shown.state) == wanted);
+    shown.sky.release_composite(shown.targets);
+    shown.targets = late;
+    shown.sky.set_exposure(20);
+    for (int frame = 0; frame < 6; ++frame) {
+        (void)shown.update(hours.then_deg);
+        (void)shown.show();
+    }
+    CHECK(shown.sky.light().share == 0);
+    const CompositeSettings composite{.target_format = rhi::Format::rgba32_float, .exposure = 20};
+    CHECK(shown.show() == alone(*backend, shown.sky.plan(), composite, hours.then_deg));
+    std::vector<CompositeTargets> many;
+    while (many.size() + 1 < PlannedSky::max_targets) {
+        many.push_back(late);
+        many.back().target = backend->make_target(rhi::Format::rgba32_float, extent, shown.state);
+        shown.sky.prepare_composite(many.back());
+    }
+    CompositeTargets one_more = late;
+    one_more.target = backend->make_target(rhi::Format::rgba32_float, extent, shown.state);
+    CHECK(rejected_field([&] { shown.sky.prepare_composite(one_more); }) == "targets");
+    CompositeTargets small = many.back();
+    shown.sky.release_composite(small);
+    small.extent = {3, 3, 1};
+    CHECK(rejected_field([&] { shown.sky.prepare_composite(small); }) == "targets.extent");
+    shown.sky.prepare_composite(many.back());  // and nothing of that is left
+}
+
+TEST_CASE("planned sky: frames that are not drawn do not fade, and what is too bright for the format stays bright") {
+    const auto backend = open_cpu_float();
+    const TwoHours hours = two_hours();
+    Shown shown(*backend, hours.tolerance, false, fade_frames, 0, rhi::Format::rgba16_float, 1e9);
+    shown.sky.prepare_composite(shown.targets);
+    for (const double hour : {hours.first_deg, hours.then_deg, hours.then_deg}) {
+        (void)shown.update(hour);
+        const Image image = shown.show();
+        for (const glm::dvec4& texel : image.texels)
+            for (int c = 0; c < 3; ++c) CHECK_FALSE(std::isnan(texel[c]));
+    }
+    const double share = shown.sky.light().share;
+    CHECK(share > 0);
+    for (int i = 0; i < 20; ++i) CHECK(shown.update(hours.then_deg).share <= share + 1.01 / fade_frames);
+}
+
+TEST_CASE("planned sky: tables that are spread over frames are waited for, and follow the camera afterwards") {
+    const auto backend = open_cpu_float();
+    const TwoHours hours = two_hours();
+    Shown shown(*backend, hours.tolerance, false, 1, 1);
+    shown.sky.prepare_composite(shown.targets);
+    (void)shown.update(hours.first_deg);
     (void)shown.show();
+    const Setting by_day = shown.sky.plan().setting;
+    CHECK_FALSE(shown.update(hours.then_deg).changes.empty());
+    int frames = 0;
+    for (; frames < 100 && shown.sky.light().after == rhi::Texture{}; ++frames) {
+        (void)shown.show();
+        (void)shown.update(hours.then_deg);
+    }
+    CHECK(frames < 100);
+    for (int i = 0; i < 4; ++i) {
+        (void)shown.show();
+        (void)shown.update(hours.then_deg);
+    }
+    CHECK_FALSE(shown.sky.plan().setting == by_day);
+    const double later = hours.then_deg - 0.1;
+    (void)shown.update(later);
+    const CompositeSettings composite{.target_format = rhi::Format::rgba32_float, .exposure = 10};
+    CHECK(shown.show() == alone(*backend, shown.sky.plan(), composite, later));
 }
 
 TEST_CASE("planned sky: without frames to fade over the new sky is shown as soon as it is ready") {
@@ -235,6 +327,19 @@ TEST_CASE("planned sky: what it is given is checked, and nothing changes") {
     air.planet.bottom_radius_m = 0;
     CHECK(rejected_field([&] { sky.set_air(air); }) == "planet.bottom_radius_m");
     CHECK(rejected_field([&] { sky.set_exposure(0); }) == "composite.exposure");
+    Camera panorama = camera;
+    panorama.kind = Projection::panorama;
+    const Sun good = sun_at(20);
+    CHECK(rejected_field([&] { (void)sky.update(panorama, {&good, 1}); }) == "camera.kind");
+    PlanRequirements shadowed = day_and_dusk(0.1);
+    shadowed.shadows = true;
+    CHECK_THROWS_AS(PlannedSky(backend->device(), shadowed), Error);
+    const auto composed = [&](const CompositeSettings& composite) {
+        return rejected_field([&] { PlannedSky(backend->device(), day_and_dusk(0.1), composite); });
+    };
+    CHECK(composed({.exposure = 0}) == "composite.exposure");
+    CHECK(composed({.scene_depth = true}) == "composite.scene_depth");
+    CHECK(composed({.target_format = rhi::Format::d32_float}) == "composite.target_format");
     CHECK_NOTHROW((void)sky.update(camera, {}));  // night
     CHECK(sky.plan().air.planet == presets::earth().planet);
 }

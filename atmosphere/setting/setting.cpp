@@ -87,6 +87,9 @@ ModelPtr make(Settings settings, const Setting& setting, ModelPtr (*make_model)(
 }
 
 ModelPtr make_model(const Setting& setting) {
+    for (auto what = setting.without.begin(); what != setting.without.end(); ++what)
+        if (std::find(setting.without.begin(), what, *what) != what)
+            throw Error(ErrorCode::invalid_argument, "without", "\"" + *what + "\" twice", "each once");
     const std::string &name = setting.model, &quality = setting.quality;
     if (setting.in_rgb() && setting.leaves_out(wavelengths)) reject_without(setting, wavelengths);
     if (name == "aureole") return make(QualitySettings::by_name(quality), setting, &models::aureole);
@@ -119,12 +122,7 @@ bool Setting::leaves_out(std::string_view what) const { return std::ranges::find
 
 std::span<const std::string_view> simplification_names() { return names; }
 
-void validate(const Setting& setting) {
-    (void)in_its_colours(setting, make_model(setting));
-    for (auto what = setting.without.begin(); what != setting.without.end(); ++what)
-        if (std::find(setting.without.begin(), what, *what) != what)
-            throw Error(ErrorCode::invalid_argument, "without", "\"" + *what + "\" twice", "each once");
-}
+void validate(const Setting& setting) { (void)in_its_colours(setting, make_model(setting)); }
 
 std::optional<Prepared> prepare(const Setting& setting, const AtmosphereParameters& air) {
     Prepared prepared{air, in_its_colours(setting, make_model(setting))};
@@ -144,7 +142,7 @@ Setting converged(const Setting& setting) {
     };
     // What these qualities leave out of the light is the model's, not the samples'.
     if (setting.model == "aureole" && setting.quality == "low" && !setting.leaves_out(multiple)) leave(direction);
-    if (setting.model == "hillaire" && setting.quality != "high") leave(colour);
+    if (setting.model == "hillaire" && setting.quality != "high" && setting.quality != "converged") leave(colour);
     std::erase_if(result.without, [](const std::string& what) { return what == samples || what == precision; });
     return result;
 }

@@ -335,6 +335,7 @@ def check_report():
     expect('## Mars' in tables and (FOLDER / 'trade.md').read_text() == tables, 'report: tables')
     expect(len((FOLDER / 'report/results.csv').read_text().splitlines()) == 12, 'report: lines')
     works('report', example, '--markdown', FOLDER / 'only.md')
+    expect((FOLDER / 'only.md').read_text() == tables, 'report: tables alone')
     page = FOLDER / 'page.md'
     page.write_text('before\n<!-- at a glance: written by `aureole report --overview` -->\nold\n<!-- end of it -->\nafter\n')
     works('report', example, '--overview', page)
@@ -342,7 +343,6 @@ def check_report():
            'old' not in page.read_text() and '| aureole default |' in page.read_text(), 'report: tables in a page')
     page.write_text('nothing')
     fails('--overview', 'report', example, '--overview', page)
-    expect((FOLDER / 'only.md').read_text() == tables, 'report: tables alone')
     fails('--output: is missing', 'report', example)
     fails('no.json', 'report', FOLDER / 'no.json', '-o', FOLDER / 'none')
     fails('bad.json: is no JSON', 'report', put('bad.json', '{"version":'), '-o', FOLDER / 'none')
@@ -350,14 +350,49 @@ def check_report():
     fails('is no folder', 'report', example, '-o', FOLDER / 'old.json', '--no-html')
 
 
+def check_plan():
+    out = works('plan', 'earth', '--tolerance', '5%', '--sun-elevation', '30', '--json', FOLDER / 'plan.json', '--list')
+    plan = json.loads((FOLDER / 'plan.json').read_text())
+    expect(out.startswith('plan: ' + plan['setting']['id']) and plan['tolerable'] and plan['error']['bound'] <= 0.05,
+           f'plan: {out}')
+    expect('ozone' in out and 'aerial perspective: left out' in out and out.count('meets the requirements') >= 1, f'plan: {out}')
+    cheapest = min(c['cost']['charged_ms'] for c in plan['candidates'] if c.get('tolerable'))
+    expect(plan['cost']['charged_ms'] <= 1.1 * cheapest, 'plan: the cheapest')
+    same = works('plan', 'earth', '--tolerance', '0.05', '--sun-elevation', '30:30')
+    expect(same.splitlines()[0] == out.splitlines()[0], 'plan: a share is a percentage')
+    scene = works('plan', SCENES / 'terrain_far.toml', '--budget', '100ms', '64MiB')
+    expect('aerial perspective: recorded' in scene, f'plan of a scene with terrain: {scene}')
+    out = works('plan', 'mars', '--tolerance', '0.01%')
+    expect('does NOT meet the requirements' in out, f'plan that cannot be: {out}')
+    works('plan', 'earth', '--budget', '1000ms', '--calibrate', *BACKEND)
+    fails('tolerance: nothing is not allowed', 'plan', 'earth')
+    fails('--tolerance: "2 per cent" is not allowed', 'plan', 'earth', '--tolerance', '2 per cent')
+    fails('--budget: "1s" is not allowed; allowed: milliseconds of a frame as 1ms, or memory as 2MiB', 'plan', 'earth', '--budget',
+          '1s')
+    fails('sun_elevation_deg.most: -6 is not allowed', 'plan', 'earth', '--tolerance', '2%', '--sun-elevation', '6:-6')
+    fails('--altitude: "high" is not allowed', 'plan', 'earth', '--tolerance', '2%', '--altitude', 'high')
+    fails('--suns', 'plan', 'earth', '--tolerance', '2%', '--suns', 9)
+    fails('none.toml', 'plan', 'none.toml', '--tolerance', '2%')
+
+
+def check_fit(measurements):
+    out = works('fit', measurements, '-o', FOLDER)
+    expect('rgb: ' in out and 'wavelengths: no scenes' in out, f'fit: {out}')
+    expect('fog' in (FOLDER / 'measured_rgb.inc').read_text(), 'fit: writes the table')
+    put('broken.json', '{')
+    fails('is no JSON', 'fit', FOLDER / 'broken.json')
+    put('empty.json', '{}')
+    fails('measured without costs', 'fit', FOLDER / 'empty.json')
+
+
 def check_help():
-    for command in ([], ['render'], ['probe'], ['score'], ['trace'], ['truth'], ['measure'], ['bench'], ['report'],
+    for command in ([], ['render'], ['probe'], ['score'], ['trace'], ['truth'], ['measure'], ['fit'], ['plan'], ['bench'], ['report'],
                     ['devices']):
         out = works(*command, '--help')
         expect(len(out.splitlines()) > 3, f'help of {command}')
     fails('ubcommand', )
     fails('COMMAND: "frobnicate" is not allowed; allowed: render, probe, score, trace, truth, measure, '
-          'bench, report, devices', '--verbose', 'frobnicate')
+          'fit, plan, bench, report, devices', '--verbose', 'frobnicate')
     version = works('--version')
     expect(version.startswith('aureole ') and version.split()[1][0].isdigit(), f'version: {version}')
 
@@ -379,5 +414,7 @@ check_trace()
 check_bench_and_devices()
 check_report()
 check_measure()
+check_fit(FOLDER / 'report/measurements.json')
+check_plan()
 print('\n'.join(failures) if failures else 'the command line keeps its word')
 sys.exit(1 if failures else 0)

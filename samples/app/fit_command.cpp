@@ -23,9 +23,10 @@ void print_coverage(const char* name, const detail::MeasuredSkies& skies, std::u
     const Coverage found = coverage(skies, held_out);
     std::printf(
         "%s: %zu scenes, %zu settings; fitted without %zu scenes (seed %u), of %zu errors there %.1f %% are at or below "
-        "their bound; bound / measured %.2f, |likely / measured| off by %.0f %% (medians)\n",
+        "their bound; bound / measured %.2f, |likely / measured| off by %.0f %% (medians); of %zu choices %.1f %% keep "
+        "their tolerance\n",
         name, skies.scenes.size(), skies.settings.size(), held_out.size(), seed, found.predictions, 100 * found.below_bound,
-        found.median_excess, 100 * (std::exp(found.median_off) - 1));
+        found.median_excess, 100 * (std::exp(found.median_off) - 1), found.choices, 100 * found.choices_kept);
 }
 
 void run_fit(const FitCommand& command) {

@@ -151,7 +151,13 @@ public:
         result.per_frame = spread_of(per_frame_);
         result.frame = spread_of(frame_);
         result.rebuild = spread_of(rebuild_);
-        result.table_bytes = air_.table_bytes() + plain_.table_bytes();
+        result.air_bytes = air_.table_bytes();
+        result.table_bytes = result.air_bytes + plain_.table_bytes();
+        const rhi::Texture froxels = plain_.aerial_perspective_table();
+        const rhi::TextureDesc* desc = froxels ? backend_.device().find(froxels) : nullptr;
+        if (desc != nullptr)
+            result.aerial_perspective_bytes = std::uint64_t{desc->extent.width} * desc->extent.height * desc->extent.depth *
+                                              rhi::bytes_per_texel(desc->format);
     }
 
     PassCosts result;

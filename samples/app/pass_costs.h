@@ -56,12 +56,13 @@ struct PassCost {
 };
 
 struct PassCosts {
-    std::vector<PassCost> passes;                 ///< Of the air, of the view, "composite", "composite_geometry".
-    std::size_t air_passes = 0, view_passes = 0;  ///< How many of each, the view's without composites.
-    Spread per_frame;                             ///< All passes of the view together.
-    Spread frame;                                 ///< The same and the composite without geometry.
-    Spread rebuild;                               ///< All passes of the air and per_frame.
-    std::uint64_t table_bytes = 0;                ///< Device memory of all tables of one planet and one view.
+    std::vector<PassCost> passes;                               ///< Of the air, of the view, "composite", "composite_geometry".
+    std::size_t air_passes = 0, view_passes = 0;                ///< How many of each, the view's without composites.
+    Spread per_frame;                                           ///< All passes of the view together.
+    Spread frame;                                               ///< The same and the composite without geometry.
+    Spread rebuild;                                             ///< All passes of the air and per_frame.
+    std::uint64_t table_bytes = 0;                              ///< Device memory of all tables of one planet and one view.
+    std::uint64_t air_bytes = 0, aerial_perspective_bytes = 0;  ///< Parts of it: of the planet; of the view's froxels.
 
     [[nodiscard]] const PassCost& pass(std::string_view name) const;
 };

@@ -72,9 +72,12 @@ PlanRequirements of_scene(const Scene& scene) {
     needs.air = scene.atmosphere;
     needs.altitude_m = {scene.camera.altitude_m, scene.camera.altitude_m};
     if (!scene.suns.empty()) {
-        needs.sun_elevation_deg = {scene.suns[0].pose.elevation_deg, scene.suns[0].pose.elevation_deg};
+        const auto elevation = [](const SceneSun& sun) { return sun.pose.elevation_deg; };
+        const auto [least, most] = std::ranges::minmax(scene.suns, {}, elevation);
+        needs.sun_elevation_deg = {elevation(least), elevation(most)};
         needs.suns = static_cast<std::uint32_t>(scene.suns.size());
     }
+    needs.projection = scene.camera.projection;
     needs.geometry = scene.terrain.has_value();
     needs.geometry_range_m = scene.aerial_perspective_distance_m;
     needs.shadows = scene.terrain && scene.terrain->air_shadows_m > 0;
@@ -94,6 +97,8 @@ PlanRequirements requirements_of(const PlanCommand& command) {
     if (!command.sun.empty()) needs.sun_elevation_deg = parse_range("--sun-elevation", command.sun);
     if (!command.altitude.empty()) needs.altitude_m = parse_range("--altitude", command.altitude);
     if (command.geometry_km) {
+        if (*command.geometry_km < 0)
+            throw Error(ErrorCode::invalid_argument, "--geometry", print_number(*command.geometry_km), "kilometres, 0 or more");
         needs.geometry = *command.geometry_km > 0;
         if (needs.geometry) needs.geometry_range_m = *command.geometry_km * 1000;
     }

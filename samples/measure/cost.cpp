@@ -27,7 +27,9 @@ Cost cost_of(const PassCosts& passes) {
               time_of("light"),
               {},
               {},
-              passes.table_bytes};
+              passes.table_bytes,
+              passes.air_bytes,
+              passes.aerial_perspective_bytes};
     cost.per_frame = times(passes.pass("composite").counts, std::uint64_t{coarser} * coarser);
     for (std::size_t i = 0; i < passes.air_passes + passes.view_passes; ++i) {
         cost.rebuild += passes.passes[i].counts;

@@ -28,8 +28,9 @@ struct Cost {
     /// Work of those passes; `bytes` is what they write. The composite's is counted with an eighth of the pixels each way, and
     /// multiplied (exact where width and height are multiples of eight, and every pixel costs the same).
     rhi::CpuCounts per_frame;
-    rhi::CpuCounts rebuild;         ///< Likewise.
-    std::uint64_t table_bytes = 0;  ///< Device memory of the tables of the air and of one view.
+    rhi::CpuCounts rebuild;                                     ///< Likewise.
+    std::uint64_t table_bytes = 0;                              ///< Device memory of the tables of the air and of one view.
+    std::uint64_t air_bytes = 0, aerial_perspective_bytes = 0;  ///< Parts of it.
 };
 
 /// Of each subject, measured in turn (pass_costs); counted on the CPU backend. `after_round` is called after each round.

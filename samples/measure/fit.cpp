@@ -21,9 +21,8 @@ using detail::Situation;
 constexpr double shortest = 0.05, longest = 500;  // of lengths
 constexpr double covered = 0.97;                  // by the margin, of scenes that are left out
 constexpr double least_spread = 1e-3;
-constexpr std::size_t fewest_points = 4;  // of a fit
-constexpr double usual = 3;               // length where scenes do not tell
-constexpr double kinds = 3;               // errors of all settings tell as much as so many that had nothing in common
+constexpr double usual = 3;  // length where scenes do not tell
+constexpr double kinds = 3;  // errors of all settings tell as much as so many that had nothing in common
 
 std::vector<std::size_t> all_of(std::size_t count) {
     std::vector<std::size_t> result(count);
@@ -47,7 +46,7 @@ std::vector<Family> families(MeasuredSkies& skies, const std::vector<std::size_t
             for (const std::size_t i : scenes)
                 if (error->by_scene[i] != MeasuredError::unknown) known.push_back(i);
             error->spread = 0;
-            if (known.size() < fewest_points) continue;
+            if (known.size() < detail::fewest_scenes) continue;
             Family& family = by_scenes[known];
             std::vector<double>& values = family.values.emplace_back();
             for (const std::size_t i : known) values.push_back(error->by_scene[i] / 1000.0);
@@ -109,6 +108,18 @@ Situation best_lengths(const std::vector<Family>& all) {
     return lengths;
 }
 
+/// A setting in a scene.
+struct Priced {
+    double milliseconds, bound, measured;
+};
+
+const Priced* cheapest_within(const std::vector<Priced>& settings, double tolerance) {
+    const Priced* best = nullptr;
+    for (const Priced& one : settings)
+        if (one.bound <= tolerance && (best == nullptr || one.milliseconds < best->milliseconds)) best = &one;
+    return best;
+}
+
 /// FNV-1a.
 std::uint32_t hash_of(const std::string& text, std::uint32_t seed) {
     std::uint32_t hash = 2166136261U ^ (seed * 2654435761U);
@@ -155,9 +166,11 @@ Coverage coverage(const MeasuredSkies& skies, const std::vector<std::size_t>& he
         if (!std::ranges::binary_search(held_out, i)) seen.push_back(i);
     fit(fitted, seen);
     detail::Predictor predictor(fitted, seen);
+    Coverage result;
     std::vector<double> excess, off;
-    std::size_t below = 0;
-    for (const std::size_t i : held_out)
+    std::size_t below = 0, kept = 0;
+    for (const std::size_t i : held_out) {
+        std::vector<Priced> sky;
         for (const MeasuredSetting& setting : fitted.settings)
             for (const MeasuredError* error : {&setting.sky_p95, &setting.aerial_p95}) {
                 if (error->by_scene[i] == MeasuredError::unknown) continue;
@@ -167,12 +180,25 @@ Coverage coverage(const MeasuredSkies& skies, const std::vector<std::size_t>& he
                 excess.push_back(predicted->bound / measured);
                 off.push_back(std::abs(std::log(predicted->likely / measured)));
                 if (excess.back() >= 1) ++below;
+                const detail::MeasuredCost& cost = setting.by_air[skies.scenes[i].air];
+                if (error == &setting.sky_p95 && cost.air_mib > 0)
+                    sky.push_back({cost.composite_ms + cost.view_ms, predicted->bound, measured});
             }
+        for (const double tolerance : {0.005, 0.01, 0.02, 0.05, 0.1, 0.2})
+            if (const Priced* chosen = cheapest_within(sky, tolerance)) {
+                ++result.choices;
+                if (chosen->measured <= tolerance) ++kept;
+            }
+    }
     if (excess.empty()) return {};
     std::ranges::sort(excess);
     std::ranges::sort(off);
-    return {excess.size(), static_cast<double>(below) / static_cast<double>(excess.size()), quantile(excess, 0.5),
-            quantile(off, 0.5)};
+    result.predictions = excess.size();
+    result.below_bound = static_cast<double>(below) / static_cast<double>(excess.size());
+    result.median_excess = quantile(excess, 0.5);
+    result.median_off = quantile(off, 0.5);
+    if (result.choices > 0) result.choices_kept = static_cast<double>(kept) / static_cast<double>(result.choices);
+    return result;
 }
 
 }  // namespace aureole::app

@@ -29,6 +29,10 @@ struct Coverage {
     double below_bound = 0;    ///< Share of measured p95 that lies at or below the bound.
     double median_excess = 0;  ///< Median of bound / measured p95.
     double median_off = 0;     ///< Median of |ln(likely / measured)|.
+    /// Choices of the cheapest setting whose bound is within a tolerance (0.5 to 20 %), of the sky, in each of those scenes;
+    /// and the share of them that keep it. Less than below_bound: of many settings the one is taken whose bound is lowest.
+    std::size_t choices = 0;
+    double choices_kept = 0;
 };
 /// Fits a copy to all but `held_out`, and predicts those: p95 of the sky and of geometry, every setting.
 [[nodiscard]] Coverage coverage(const detail::MeasuredSkies& skies, const std::vector<std::size_t>& held_out);

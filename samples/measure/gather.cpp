@@ -3,7 +3,9 @@
 #include <aureole/rhi/error.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <stdexcept>
 
 namespace aureole::app {
 namespace {
@@ -14,6 +16,8 @@ using detail::MeasuredScene;
 using detail::MeasuredSetting;
 using detail::MeasuredSkies;
 using nlohmann::json;
+
+constexpr double least_mib = 1e-6;  // of a model without tables: 0 says that it was not measured
 
 /// Index of the one that is called `name`, which is added if there is none.
 template <class Named, class Name>
@@ -36,7 +40,12 @@ public:
     void add(const json& measured) {
         if (!measured.contains("costs"))
             throw Error(ErrorCode::invalid_argument, "measurements", "measured without costs", "measured with them");
-        skies_.device = measured.at("cost_device").get<std::string>();
+        const std::string device = measured.at("cost_device");
+        if (!skies_.device.empty() && device != skies_.device)
+            throw Error(ErrorCode::invalid_argument, "measurements", "costs of " + device,
+                        "those of one device, " + skies_.device);
+        skies_.device = device;
+        scenes_.clear();
         std::map<std::string, json> settings;
         for (const json& setting : measured.at("settings")) settings[setting.at("id")] = setting;
         for (const json& scene : measured.at("scenes")) add_scene(scene);
@@ -63,7 +72,8 @@ private:
             scene.at("air").get<std::string>());
         scenes_[id] = index_of(
             skies_.scenes, id, [](const MeasuredScene& one) { return one.id; },
-            MeasuredScene{id, air, scene.at("situation").get<detail::Situation>()});
+            MeasuredScene{id, air, scene.at("sun_elevation_deg").get<double>(), scene.at("altitude_m").get<double>(),
+                          scene.at("situation").get<detail::Situation>()});
     }
 
     MeasuredSetting& setting_of(const json& described) {
@@ -83,7 +93,8 @@ private:
         const auto keep = [&](MeasuredError& error, const char* region, const char* quantile) {
             if (!regions.contains(region) || regions.at(region).at("rows") == 0) return;
             grow(error, scene + 1);
-            error.by_scene[scene] = MeasuredError::pack(regions.at(region).at(quantile));
+            const json& value = regions.at(region).at(quantile);  // null: infinite
+            error.by_scene[scene] = MeasuredError::pack(value.is_null() ? HUGE_VAL : value.get<double>());
         };
         keep(setting.sky_median, "all", "median");
         keep(setting.sky_p95, "all", "p95");
@@ -106,7 +117,10 @@ private:
         kept.light_ms = median("light_ms");
         kept.view_ms = std::max(views - kept.aerial_perspective_ms - kept.light_ms, 0.0);
         kept.rebuild_ms = std::max(median("rebuild_ms") - views, 0.0);
-        kept.mebibytes = cost.at("bytes").get<double>() / 1048576;
+        const auto mebibytes = [&](const char* name) { return cost.at(name).get<double>() / 1048576; };
+        kept.air_mib = std::max(mebibytes("air_bytes"), least_mib);
+        kept.aerial_perspective_mib = mebibytes("aerial_perspective_bytes");
+        kept.view_mib = std::max(mebibytes("bytes") - mebibytes("air_bytes") - kept.aerial_perspective_mib, 0.0);
     }
 
     bool wavelengths_;

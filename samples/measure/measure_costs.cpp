@@ -24,6 +24,8 @@ json to_json(const std::string& air, const std::string& setting, const Cost& cos
             {"aerial_perspective_ms", to_json(cost.aerial_perspective_ms)},
             {"light_ms", to_json(cost.light_ms)},
             {"bytes", cost.table_bytes},
+            {"air_bytes", cost.air_bytes},
+            {"aerial_perspective_bytes", cost.aerial_perspective_bytes},
             {"per_frame", to_json(cost.per_frame)},
             {"rebuild", to_json(cost.rebuild)}};
 }

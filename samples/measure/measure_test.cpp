@@ -95,7 +95,7 @@ TEST_CASE("measure: errors and their parts, where they are known otherwise" * do
         const double fine = standard.at("regions").at("all").at("p95");
         CHECK(coarse > fine);
         CHECK(fine < 0.02);
-        // The truth is the model's own to seven digits.
+        // The truth is the model's own, rounded to float.
         CHECK(standard.at("split").at("model").at("max") < 1e-5);
         CHECK(low.at("split").at("rounding").at("max") < 1e-3);
         CHECK(low.at("split").at("discretisation").at("p95") == doctest::Approx(coarse).epsilon(0.05).scale(1e-300));

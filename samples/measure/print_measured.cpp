@@ -1,7 +1,5 @@
 #include "measure/fit.h"
 
-#include "io/csv.h"
-
 #include <cstdio>
 #include <span>
 
@@ -13,10 +11,17 @@ using detail::MeasuredError;
 using detail::MeasuredSetting;
 using detail::MeasuredSkies;
 
-/// Three figures or so: what was measured is no more certain.
+/// Four figures: what was measured is no more certain.
 std::string rounded(double value) {
     char text[32];
     (void)std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+}
+
+/// Seven figures: a measured scene is found again where it was.
+std::string exact(double value) {
+    char text[32];
+    (void)std::snprintf(text, sizeof text, "%.7g", value);
     return text;
 }
 
@@ -43,9 +48,15 @@ std::string print(const MeasuredError& error) {
 }
 
 std::string print(const MeasuredCost& cost) {
-    const double values[] = {
-        cost.composite_ms, cost.composite_geometry_ms, cost.view_ms, cost.aerial_perspective_ms, cost.light_ms, cost.rebuild_ms,
-        cost.mebibytes};
+    const double values[] = {cost.composite_ms,
+                             cost.composite_geometry_ms,
+                             cost.view_ms,
+                             cost.aerial_perspective_ms,
+                             cost.light_ms,
+                             cost.rebuild_ms,
+                             cost.air_mib,
+                             cost.view_mib,
+                             cost.aerial_perspective_mib};
     return braced(values, ", ", rounded);
 }
 
@@ -64,7 +75,8 @@ std::string print_initializer(const MeasuredSkies& skies) {
     text += quoted(skies.device) + ",\n" + braced(skies.lengths, ", ", rounded) + ", " + rounded(skies.margin) + ",\n" +
             braced(skies.airs, ", ", quoted) + ",\n";
     text += braced(skies.scenes, ",\n", [](const detail::MeasuredScene& scene) {
-        return "{" + quoted(scene.id) + ", " + std::to_string(scene.air) + ", " + braced(scene.situation, ", ", rounded) + "}";
+        return "{" + quoted(scene.id) + ", " + std::to_string(scene.air) + ", " + rounded(scene.sun_elevation_deg) + ", " +
+               rounded(scene.altitude_m) + ", " + braced(scene.situation, ", ", exact) + "}";
     });
     text += ",\n" + braced(skies.settings, ",\n", [](const MeasuredSetting& setting) { return print(setting); }) + "}\n";
     return text;

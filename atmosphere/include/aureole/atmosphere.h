@@ -179,6 +179,7 @@ struct CompositeTargets {
     rhi::Texture directions{};
     rhi::Extent extent{};  ///< Of the target, texels. Width and height in [1, Capabilities::max_texture_2d]; depth is ignored.
                            ///< Another size than the textures' is rejected if the device knows theirs (Device::find).
+    [[nodiscard]] bool operator==(const CompositeTargets&) const = default;
 };
 
 /// A camera's own tables, and the pass that shows them.

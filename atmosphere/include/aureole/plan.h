@@ -44,15 +44,18 @@ struct PlanRequirements {
     PlanRange altitude_m{2, 2};          ///< Of the camera above the ground radius; in [-1e4, 1e12], least first.
 
     // What is shown.
-    bool geometry = false;                     ///< The composite gets a host's colour and depth.
-    double geometry_range_m = 96000;           ///< How far away geometry may be. In [1e-3, 1e13].
-    bool shadows = false;                      ///< The host's shadow map darkens the air (ViewSettings::shadows).
-    bool light = true;                         ///< Sun colour and sky irradiance for the host's own materials are needed.
-    std::uint32_t suns = 1;                    ///< In [1, 4].
-    std::uint32_t views = 1;                   ///< Cameras that are drawn each frame. In [1, 64].
-    std::uint32_t width = 1280, height = 720;  ///< Pixels of a view. Each in [1, 65536].
+    Projection projection = Projection::matrix;  ///< Of every camera.
+    bool geometry = false;                       ///< The composite gets a host's colour and depth.
+    double geometry_range_m = 96000;             ///< How far away geometry may be: of the view's froxels;
+                                                 ///< errors were measured at 1 to 100 km. In [1e-3, 1e13].
+    bool shadows = false;                        ///< The host's shadow map darkens the air (ViewSettings::shadows, which
+                                                 ///< the host sets). What that costs is in no figure of the plan.
+    bool light = true;                           ///< Sun colour and sky irradiance for the host's own materials are needed.
+    std::uint32_t suns = 1;                      ///< Tables are charged for each, composites as for one. In [1, 4].
+    std::uint32_t views = 1;                     ///< Cameras that are drawn each frame. In [1, 64].
+    std::uint32_t width = 1280, height = 720;    ///< Pixels of a view. Each in [1, 65536].
     /// Colours must be those of wavelengths, as the eye sees them, not those of a red, a green and a blue light: the truth that
-    /// errors are against. Costs are of the tables alone (models/spectral.h).
+    /// errors are against. Error(unsupported) while the library has no measurements of such scenes.
     bool wavelengths = false;
     /// Share of frames in which the air itself changes, so that its tables are made anew. In [0, 1].
     double rebuilds_per_frame = 0;
@@ -60,9 +63,9 @@ struct PlanRequirements {
     // What is tolerable.
     /// Relative error of radiance that 95 of 100 directions must stay below. In [1e-4, 10].
     std::optional<double> tolerance;
-    /// Milliseconds of a frame: camera tables, composites, and rebuilds as often as they occur. In (0, 1e6].
+    /// Milliseconds of a frame: camera tables, composites, and rebuilds as often as they occur. In [1e-9, 1e6].
     std::optional<double> budget_ms;
-    /// MiB of tables. In (0, 1e6].
+    /// MiB of tables. In [1e-9, 1e6].
     std::optional<double> budget_mib;
 
     DeviceSpeed speed;
@@ -109,15 +112,15 @@ struct Plan {
     ModelPtr model;
     ViewSettings view;  ///< Aerial perspective, its range, light and suns as required; shadows as the host sets them.
 
-    bool tolerable = false;  ///< False: nothing meets the requirements; this is the most accurate within budgets, or the
-                             ///< smallest budget breaker.
+    bool tolerable = false;  ///< False: nothing meets the requirements; this is the most accurate within budgets, or what
+                             ///< breaks them least.
     PlanError error;
     PlanCost cost;
     std::vector<PlanChoice> choices;
     std::vector<PlanCandidate> candidates;  ///< All, from the cheapest on; those excluded last.
     std::vector<std::string> nearest;       ///< Ids of the measured scenes that the prediction goes by most.
-    /// How far the worst of the situations is from what was measured: 0 at a measured scene; above 1 the bound is wide, as
-    /// nothing like it was measured.
+    /// How far the worst of the situations is from what was measured: 0 at a measured scene; 1 as far as the loneliest of the
+    /// measured scenes is from all others. Above 1 nothing like it was measured, and the bound need not hold.
     double distance = 0;
     std::string measured_on;  ///< Device of the costs, before PlanRequirements::speed.
 
@@ -130,8 +133,10 @@ struct Plan {
 
 /// What to measure for a device's speed: aureole default in Earth's air, 1280x720 pixels, sky alone. Medians of about a second.
 struct SpeedSample {
-    double composite_ms = 0;  ///< View::record_composite. Above 0.
-    double tables_ms = 0;     ///< Atmosphere::record after a change of the air, and View::record after one of camera and sun.
+    double composite_ms = 0;  ///< View::record_composite, without a host's colour and depth. In [1e-9, 1e9].
+    /// Atmosphere::record after a change of the air, and View::record after one of camera and sun, with ViewSettings as they
+    /// are by default: froxels and light, too. In [1e-9, 1e9].
+    double tables_ms = 0;
 };
 /// Setting to be measured for it, of presets::earth().
 [[nodiscard]] Setting speed_setting();

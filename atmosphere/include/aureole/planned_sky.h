@@ -4,6 +4,7 @@
 //     PlannedSky sky(device, needs, {.target_format = rhi::Format::rgba16_float});
 //     sky.prepare_composite(targets);  // once for each set of textures
 //     while (next_frame()) {
+//         sky.set_frame(frame_number);  // a sky that has been given up dies after it
 //         for (const PlanChange& change : sky.update(camera, suns).changes) log(change);
 //         sky.record(commands);
 //         sky.record_composite(commands, targets);
@@ -23,14 +24,14 @@
 namespace aureole {
 
 struct FollowSettings {
-    /// A plan is made for what surrounds sun and camera this far, on the scales of asinh(sun elevation / 3 degrees) and of
-    /// asinh(30 altitude / thickness of the air), and kept until they leave it. In [0.01, 100].
+    /// A plan is kept until sun or camera have gone this far from where it was made, on the scales of asinh(sun elevation / 3
+    /// degrees) and of asinh(30 altitude / thickness of the air); it is made for twice as far. In [0.01, 100].
     double margin = 0.5;
-    /// Over which the old sky gives way to the new one; 0: at once. In [0, 100000].
+    /// Over which the old sky gives way to the new one, each an update after a recorded composite; 0: at once. In [0, 100000].
     std::uint32_t fade_frames = 30;
-    /// Of Atmosphere::set_multi_scatter_passes_per_frame for a new sky's first tables, in [0, 64]: the old one is shown
-    /// meanwhile. 0: at once.
-    int passes_per_frame = 0;
+    /// Of Atmosphere::set_multi_scatter_passes_per_frame, in [0, 64]. A new sky's first tables are spread, too: the old one is
+    /// shown meanwhile. The very first sky's are made at once. 0: all at once.
+    int passes_per_frame = 1;
 };
 
 /// Something that another plan does otherwise.
@@ -45,10 +46,21 @@ struct PlanUpdate {
     double share = 1;                 ///< Of the newest plan's sky in what will be shown: below 1 during a fade.
 };
 
+/// Light for a host's own materials, as View::light_table has it: `after` fades in by `share`. Textures live until the next
+/// update().
+struct PlannedLight {
+    rhi::Texture before{};  ///< Null before the first record(), and where PlanRequirements::light is false.
+    rhi::Texture after{};   ///< Null unless a new sky is fading in.
+    double share = 0;       ///< Of `after`, in [0, 1].
+};
+
 class PlannedSky {
 public:
+    static constexpr std::size_t max_targets = 8;  ///< That are prepared at a time.
+
     /// The ranges of `needs` are those of the whole scene; each plan is for the part around sun and camera. The first plan is
-    /// made by the first update(). `composite`: of every view. Throws as validate does, and as Atmosphere and View do.
+    /// made by the first update(). `composite`: of every view. Throws as plan() does, and as View does for `composite`. Not for
+    /// PlanRequirements::shadows, Error(unsupported); nor for CompositeSettings::scene_depth without geometry.
     PlannedSky(rhi::Device& device, const PlanRequirements& needs, const CompositeSettings& composite = {},
                const FollowSettings& follow = {});
     ~PlannedSky();
@@ -57,17 +69,20 @@ public:
 
     /// The frame's camera, and suns (at most PlanRequirements::suns): the brightest is planned for. Makes a new plan where they
     /// have left the surroundings of the last one, and a new sky where that differs. A sun or camera beyond the ranges of the
-    /// requirements is planned for all the same. During a fade no other plan is made.
+    /// requirements is planned for all the same. Until a new sky has faded in no other plan is made, and the old one is shown
+    /// wherever the sun may have got to. Throws for bad input, and where the device refuses; then nothing has changed.
     PlanUpdate update(const Camera& camera, std::span<const Sun> suns);
     /// Of the latest update(). Before the first: that for the whole of the requirements' ranges.
     [[nodiscard]] const Plan& plan() const noexcept;
-    /// Other air: planned for by the next update(). Where the same setting is enough, as Atmosphere::set_parameters.
+    /// Other air: planned for by the next update(), after a fade that is under way. Where the same setting is enough, as
+    /// Atmosphere::set_parameters. Throws as plan() does, and then nothing has changed.
     void set_air(const AtmosphereParameters& air);
     void set_exposure(double exposure);
     void set_frame(std::uint64_t frame) noexcept;  ///< As Atmosphere's.
 
-    /// As View's. Also makes two textures of the target's size and format for fades, unless FollowSettings::fade_frames is 0:
-    /// a target must then be a texture that can be sampled in its format.
+    /// As View's, but at most max_targets, which stay until they are released: before they are destroyed. Also makes two
+    /// textures of the target's size and format for fades, unless FollowSettings::fade_frames is 0: the format must be one that
+    /// can be sampled.
     void prepare_composite(const CompositeTargets& targets);
     void release_composite(const CompositeTargets& targets) noexcept;
     /// Records the tables of the air and the camera that are due.
@@ -76,8 +91,7 @@ public:
     void record_composite(rhi::CommandList& commands, const CompositeTargets& targets);
     void invalidate() noexcept;  ///< As Atmosphere's.
 
-    /// Of the newest sky that is ready; null before the first record(), or where PlanRequirements::light is false.
-    [[nodiscard]] rhi::Texture light_table() const noexcept;
+    [[nodiscard]] PlannedLight light() const noexcept;
     [[nodiscard]] std::uint64_t table_bytes() const noexcept;  ///< Of all skies there are at the moment.
 
 private:

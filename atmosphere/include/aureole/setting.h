@@ -41,7 +41,8 @@ struct Setting {
 [[nodiscard]] std::span<const std::string_view> simplification_names();
 
 /// Throws Error(invalid_argument) naming "model", "quality", "spectral" or "without" if this is no setting: a name that there
-/// is not, or something left out that the model does not have, or twice.
+/// is not, or something left out that the model does not have, or twice. A word that is no simplification's counts as a term's
+/// name: whether there is such a term only an air can tell (prepare).
 void validate(const Setting& setting);
 
 /// A model in an air, ready to be given to an Atmosphere.

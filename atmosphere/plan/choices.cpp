@@ -18,6 +18,13 @@ std::string with_figures(double value, int figures, const char* unit) {
     return std::move(text).str();
 }
 
+/// "without it", and what says the same of what is no thing.
+std::string other_way(const std::string& what, bool left_out) {
+    if (what == "samples") return left_out ? "with all of them" : "with half of them";
+    if (what == "float tables") return left_out ? "with floats" : "with half floats";
+    return left_out ? "with it" : "without it";
+}
+
 class Reasons {
 public:
     Reasons(const PlanRequirements& requirements, const MeasuredSkies& skies, Predictor& predictor, const Plan& plan)
@@ -89,9 +96,8 @@ private:
         if (other != nullptr) {
             choice.error_otherwise = other->error.bound - plan_.error.bound;
             choice.cost_otherwise_ms = other->cost.charged_ms - plan_.cost.charged_ms;
-            choice.reason = (left_out ? "with it the error would be " : "without it the error would be ") +
-                            percent(other->error.bound) + ", " + cost_change(*choice.cost_otherwise_ms) +
-                            verdict(*other, left_out);
+            choice.reason = other_way(what, left_out) + " the error would be " + percent(other->error.bound) + ", " +
+                            cost_change(*choice.cost_otherwise_ms) + verdict(*other, left_out);
         } else {
             choice.reason = "as it was measured";
         }

@@ -115,7 +115,10 @@ TEST_CASE("plan: in every measured scene, for every tolerance, it is the cheapes
             ++planned;
             CHECK(found.error.p95 <= 1.01 * tolerance);
             CHECK(found.cost.charged_ms <= 1.15 * cheapest);
-            CHECK(found.cost.charged_ms >= 0.999 * cheapest_that_meets(needs, skies, scene, 1.01));
+            // Unless it takes one that was measured elsewhere, and is foretold to be good enough here.
+            const auto chosen = std::ranges::find(skies.settings, found.setting, &MeasuredSetting::setting);
+            if (chosen->sky_p95.by_scene[scene] != MeasuredError::unknown)
+                CHECK(found.cost.charged_ms >= 0.999 * cheapest_that_meets(needs, skies, scene, 1.01));
         }
     }
     CHECK(planned > skies.scenes.size());

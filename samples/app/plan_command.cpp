@@ -21,9 +21,8 @@ using nlohmann::json;
 struct PlanCommand {
     std::string scene, tolerance, sun, altitude, size;
     std::vector<std::string> budgets;
-    std::optional<double> geometry_km;
+    std::optional<double> geometry_km, rebuilds;
     std::optional<std::uint32_t> suns, views;
-    double rebuilds = 0;
     bool shadows = false, no_light = false, wavelengths = false, calibrate = false, list = false;
     std::filesystem::path json_file;
     BackendOptions backend{.name = "auto"};
@@ -112,7 +111,7 @@ PlanRequirements requirements_of(const PlanCommand& command) {
     needs.shadows |= command.shadows;
     needs.light = !command.no_light;
     needs.wavelengths |= command.wavelengths;
-    needs.rebuilds_per_frame = command.rebuilds;
+    needs.rebuilds_per_frame = command.rebuilds.value_or(needs.rebuilds_per_frame);
     if (!command.tolerance.empty()) needs.tolerance = parse_tolerance(command.tolerance);
     for (const std::string& budget : command.budgets) parse_budget(budget, needs);
     return needs;
@@ -207,8 +206,9 @@ void add_plan_command(CLI::App& program) {
     command->add_option("--size", options->size, "WIDTHxHEIGHT of each, in pixels. Default: the scene's, or 1280x720");
     command->add_flag("--wavelengths", options->wavelengths,
                       "Colours must be those of wavelengths, as the eye sees them. Default: if the scene has `spectral`");
-    command->add_option("--rebuilds", options->rebuilds, "Share of frames in which the air itself changes, 0 to 1")
-        ->capture_default_str();
+    command->add_option(
+        "--rebuilds", options->rebuilds,
+        "Share of frames in which the tables of the air are made anew, 0 to 1. Default: 1 in 3600, once a minute");
     command->add_flag("--calibrate", options->calibrate,
                       "Measure this device for a second first; else costs are those of the machine where all was measured");
     command->add_flag("--list", options->list, "Also every setting that was thought of, from the cheapest on");

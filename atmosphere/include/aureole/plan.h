@@ -57,8 +57,9 @@ struct PlanRequirements {
     /// Colours must be those of wavelengths, as the eye sees them, not those of a red, a green and a blue light: the truth that
     /// errors are against. Error(unsupported) while the library has no measurements of such scenes.
     bool wavelengths = false;
-    /// Share of frames in which the air itself changes, so that its tables are made anew. In [0, 1].
-    double rebuilds_per_frame = 0;
+    /// Share of frames in which the tables of the air are made anew, because it has changed or another plan has been taken. As
+    /// it is, once a minute at 60 frames a second: what takes seconds must save something. In [0, 1].
+    double rebuilds_per_frame = 1.0 / 3600;
 
     // What is tolerable.
     /// Relative error of radiance that 95 of 100 directions must stay below. In [1e-4, 10].

@@ -29,8 +29,8 @@ struct FollowSettings {
     double margin = 0.5;
     /// Over which the old sky gives way to the new one, each an update after a recorded composite; 0: at once. In [0, 100000].
     std::uint32_t fade_frames = 30;
-    /// Of Atmosphere::set_multi_scatter_passes_per_frame, in [0, 64]. A new sky's first tables are spread, too: the old one is
-    /// shown meanwhile. The very first sky's are made at once. 0: all at once.
+    /// Of Atmosphere::set_multi_scatter_passes_per_frame, in [0, 64]. A new sky's first tables are spread, too, of a model
+    /// that takes seconds for them: the old one is shown meanwhile. The very first sky's are made at once. 0: all at once.
     int passes_per_frame = 1;
 };
 

@@ -26,24 +26,21 @@ std::vector<double> spread_over(PlanRange range, int steps, const Warp& warp, co
     return result;
 }
 
-/// Of the worst place, by what a view shows. None where nothing of it was measured.
-std::optional<PlanError> error_of(const PlanRequirements& requirements, const MeasuredSetting& measured, Predictor& predictor,
-                                  const std::vector<Situation>& places) {
-    PlanError worst;
-    for (const Situation& place : places) {
-        const std::optional<PredictedError> median = predictor.predict(measured.sky_median, place);
-        const std::optional<PredictedError> sky = predictor.predict(measured.sky_p95, place);
-        if (!median || !sky) return {};
-        worst.median = std::max(worst.median, median->likely);
-        worst.p95 = std::max(worst.p95, sky->likely);
-        worst.bound = std::max(worst.bound, sky->bound);
-        const std::optional<PredictedError> through =
-            requirements.geometry ? predictor.predict(measured.aerial_p95, place) : std::nullopt;
-        if (!requirements.geometry) continue;
-        if (!through) return {};
-        worst.p95 = std::max(worst.p95, through->likely);
-        worst.bound = std::max(worst.bound, through->bound);
-    }
+/// The worst of places so far, by what a view shows; none where nothing of it was measured.
+std::optional<PlanError> worse(const PlanRequirements& requirements, const MeasuredSetting& measured, Predictor& predictor,
+                               const Situation& place, const PlanError& so_far) {
+    PlanError worst = so_far;
+    const std::optional<PredictedError> median = predictor.predict(measured.sky_median, place);
+    const std::optional<PredictedError> sky = predictor.predict(measured.sky_p95, place);
+    if (!median || !sky) return {};
+    worst.median = std::max(worst.median, median->likely);
+    worst.p95 = std::max(worst.p95, sky->likely);
+    worst.bound = std::max(worst.bound, sky->bound);
+    if (!requirements.geometry) return worst;
+    const std::optional<PredictedError> through = predictor.predict(measured.aerial_p95, place);
+    if (!through) return {};
+    worst.p95 = std::max(worst.p95, through->likely);
+    worst.bound = std::max(worst.bound, through->bound);
     return worst;
 }
 
@@ -122,17 +119,22 @@ std::vector<PlanCandidate> candidates_of(const PlanRequirements& requirements, c
         PlanCandidate& candidate = result.emplace_back();
         candidate.setting = measured.setting;
         candidate.excluded = why_excluded(requirements, measured.setting);
-        if (!candidate.excluded.empty()) continue;
-        const std::optional<PlanError> error = error_of(requirements, measured, predictor, places);
         const std::optional<MeasuredCost> cost = predictor.cost(measured, places.front());
-        if (!error || !cost) {
-            candidate.excluded = "was not measured";
-            continue;
-        }
-        candidate.error = *error;
-        candidate.cost = cost_of(requirements, *cost).cost;
-        candidate.tolerable = tolerates(requirements, candidate);
+        if (candidate.excluded.empty() && !cost) candidate.excluded = "was not measured";
+        if (candidate.excluded.empty()) candidate.cost = cost_of(requirements, *cost).cost;
     }
+    // Place by place: what a prediction weighs is found once for all settings.
+    for (const Situation& place : places)
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            if (!result[i].excluded.empty()) continue;
+            const auto error = worse(requirements, skies.settings[i], predictor, place, result[i].error);
+            if (error)
+                result[i].error = *error;
+            else
+                result[i] = {skies.settings[i].setting, {}, {}, false, "was not measured"};
+        }
+    for (PlanCandidate& candidate : result)
+        candidate.tolerable = candidate.excluded.empty() && tolerates(requirements, candidate);
     return result;
 }
 

@@ -64,7 +64,7 @@ PlanRequirements near(const PlanRequirements& needs, const Place& place, double 
     PlanRequirements part = needs;
     part.sun_elevation_deg = around(needs.sun_elevation_deg, place.sun, margin, sun_axis, elevation_of);
     part.sun_elevation_deg.least = std::max(part.sun_elevation_deg.least, -90.0);
-    part.sun_elevation_deg.most = std::min(part.sun_elevation_deg.most, 90.0);
+    part.sun_elevation_deg.most = std::clamp(part.sun_elevation_deg.most, part.sun_elevation_deg.least, 90.0);
     part.altitude_m = around(
         needs.altitude_m, place.altitude, margin, [&](double m) { return altitude_axis(m, planet); },
         [&](double on_axis) { return altitude_of(on_axis, planet); });
@@ -99,6 +99,7 @@ CompositeTargets into(CompositeTargets targets, const TrackedTexture& picture) {
 void check_together(const PlanRequirements& needs, const CompositeSettings& composite) {
     if (needs.shadows)
         throw Error(ErrorCode::unsupported, "shadows", "true", "false for a PlannedSky, which takes no shadow maps");
+    if (needs.views != 1) reject("views", std::to_string(needs.views), "1 for a PlannedSky, which draws one");
     if (composite.scene_depth && !needs.geometry)
         reject("composite.scene_depth", "true", "false without PlanRequirements::geometry");
 }
@@ -141,7 +142,7 @@ struct PlannedSky::Impl {
         Sky* stays = result.promoted ? next.get() : current.get();
         const bool here =
             within(place.sun, planned_at.sun, follow.margin) && within(place.altitude, planned_at.altitude, follow.margin);
-        if (stays != nullptr && ((next && !result.promoted) || (here && !redo))) return result;
+        if (stays != nullptr && (next || (here && !redo))) return result;
         // Twice as wide as it is left: it holds while the next one is made ready.
         result.plan = aureole::plan(near(needs, place, 2 * follow.margin));
         result.update.planned = true;
@@ -157,17 +158,18 @@ struct PlannedSky::Impl {
         if (to.promoted) stays->air.set_multi_scatter_passes_per_frame(follow.passes_per_frame);
         if (to.sky) {
             const bool fades_in = stays != nullptr && fade.has_value();
-            if (stays != nullptr && follow.passes_per_frame > 0)
-                to.sky->air.set_multi_scatter_passes_per_frame(follow.passes_per_frame, true);
+            to.sky->air.set_multi_scatter_passes_per_frame(follow.passes_per_frame,
+                                                           stays != nullptr && follow.passes_per_frame > 0);
             for (const CompositeTargets& targets : prepared) {
                 prepare(*to.sky, targets, fades_in ? &CrossfadePass::Pictures::after : nullptr);
                 if (fades_in) prepare(*stays, targets, &CrossfadePass::Pictures::before);
             }
             to.sky->view.update(camera, suns);
         }
+        if (to.update.planned && !to.sky) stays->air.set_parameters(to.plan.air);
+        // Inputs are checked: nothing throws from here on.
         for (Sky* sky : {current.get(), next.get()})
             if (sky != nullptr && (sky != current.get() || !to.promoted)) sky->view.update(camera, suns);
-        if (to.update.planned && !to.sky) stays->air.set_parameters(to.plan.air);
     }
 
     void commit(Next& to, const Place& place) noexcept {
@@ -199,6 +201,17 @@ struct PlannedSky::Impl {
     void prepare(const CompositeTargets& targets) {
         if (current) prepare(*current, targets, next && fade ? &CrossfadePass::Pictures::before : nullptr);
         if (next) prepare(*next, targets, fade ? &CrossfadePass::Pictures::after : nullptr);
+    }
+
+    void forget_targets(const CompositeTargets& targets) noexcept {
+        const CrossfadePass::Pictures* pictures = fade ? fade->pictures(targets.target) : nullptr;
+        for (Sky* sky : {current.get(), next.get()}) {
+            if (sky == nullptr) continue;
+            sky->view.release_composite(targets);
+            if (pictures == nullptr) continue;
+            for (const TrackedTexture* picture : {&pictures->before, &pictures->after})
+                sky->view.release_composite(into(targets, *picture));
+        }
     }
 
     [[nodiscard]] double share() const noexcept {
@@ -246,8 +259,9 @@ const Plan& PlannedSky::plan() const noexcept {
 void PlannedSky::set_air(const AtmosphereParameters& air) {
     PlanRequirements needs = impl_->needs;
     needs.air = air;
-    (void)aureole::plan(needs);  // throws where there is no plan for it
     if (air == impl_->needs.air) return;
+    Plan whole = aureole::plan(needs);  // throws where there is none
+    impl_->first_plan = std::move(whole);
     impl_->needs = std::move(needs);
     impl_->redo = true;
 }
@@ -276,6 +290,7 @@ void PlannedSky::prepare_composite(const CompositeTargets& targets) {
     try {
         impl.prepare(targets);
     } catch (...) {
+        if (!known) impl.forget_targets(targets);
         if (made) impl.fade->release(targets.target);
         throw;
     }
@@ -285,14 +300,7 @@ void PlannedSky::prepare_composite(const CompositeTargets& targets) {
 void PlannedSky::release_composite(const CompositeTargets& targets) noexcept {
     Impl& impl = *impl_;
     if (std::erase(impl.prepared, targets) == 0) return;
-    const CrossfadePass::Pictures* pictures = impl.fade ? impl.fade->pictures(targets.target) : nullptr;
-    for (Sky* sky : {impl.current.get(), impl.next.get()}) {
-        if (sky == nullptr) continue;
-        sky->view.release_composite(targets);
-        if (pictures == nullptr) continue;
-        for (const TrackedTexture* picture : {&pictures->before, &pictures->after})
-            sky->view.release_composite(into(targets, *picture));
-    }
+    impl.forget_targets(targets);
     if (impl.fade && std::ranges::none_of(impl.prepared, [&](const auto& one) { return one.target == targets.target; }))
         impl.fade->release(targets.target);
 }
@@ -310,7 +318,8 @@ void PlannedSky::record_composite(rhi::CommandList& commands, const CompositeTar
     }
     impl.shown_since = true;
     const double share = impl.share();
-    CrossfadePass::Pictures* pictures = impl.fade ? impl.fade->pictures(targets.target) : nullptr;
+    const bool known = std::ranges::find(impl.prepared, targets) != impl.prepared.end();
+    CrossfadePass::Pictures* pictures = impl.fade && known ? impl.fade->pictures(targets.target) : nullptr;
     if (!impl.next || share <= 0 || pictures == nullptr) {
         impl.current->view.record_composite(commands, targets);
         return;
@@ -323,6 +332,8 @@ void PlannedSky::record_composite(rhi::CommandList& commands, const CompositeTar
 
 void PlannedSky::invalidate() noexcept {
     if (impl_->fade) impl_->fade->invalidate();
+    impl_->faded = 0;  // where a new sky has to be made ready again, it fades in again
+    impl_->shown_since = false;
     for (Sky* sky : {impl_->current.get(), impl_->next.get()})
         if (sky != nullptr) {
             sky->air.invalidate();

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "common/rejects.h"
+#include "passes/dropped_list.h"
 #include "passes/rig.h"
 
 #include <algorithm>
@@ -137,7 +138,8 @@ void check_fade(Backend& backend, bool raster) {
 
 }  // namespace
 
-TEST_CASE("planned sky: where the hour calls for another plan, the old sky gives way to the new one without a jump") {
+TEST_CASE("planned sky: where the hour calls for another plan, the old sky gives way to the new one without a jump" *
+          doctest::test_suite("long")) {
     for (const auto& backend : {open_cpu_float(), open_vulkan()}) {
         if (!backend) continue;
         INFO(backend->name());
@@ -233,7 +235,7 @@ TEST_CASE("planned sky: frames that are not drawn do not fade, and what is too b
     for (int i = 0; i < 20; ++i) CHECK(shown.update(hours.then_deg).share <= share + 1.01 / fade_frames);
 }
 
-TEST_CASE("planned sky: tables that are spread over frames are waited for, and follow the camera afterwards") {
+TEST_CASE("planned sky: with tables spread over frames the new sky comes, and follows the sun afterwards") {
     const auto backend = open_cpu_float();
     const TwoHours hours = two_hours();
     Shown shown(*backend, hours.tolerance, false, 1, 1);
@@ -277,16 +279,54 @@ TEST_CASE("planned sky: without frames to fade over the new sky is shown as soon
 TEST_CASE("planned sky: a recording that is dropped is made up for, also during a fade") {
     const auto backend = open_cpu_float();
     const TwoHours hours = two_hours();
-    Shown shown(*backend, hours.tolerance, false), wanted(*backend, hours.tolerance, false);
-    for (Shown* one : {&shown, &wanted}) {
-        one->sky.prepare_composite(one->targets);
-        for (const double hour : {hours.first_deg, hours.then_deg, hours.then_deg}) {
-            (void)one->update(hour);
-            (void)one->show();
+    Shown shown(*backend, hours.tolerance, false);
+    shown.sky.prepare_composite(shown.targets);
+    for (const double hour : {hours.first_deg, hours.then_deg, hours.then_deg}) {
+        (void)shown.update(hour);
+        (void)shown.show();
+    }
+    CHECK(shown.sky.light().after);
+    const double later = hours.then_deg - 0.1;
+    (void)shown.update(later);
+    DroppedList list;
+    shown.sky.record(list);
+    CHECK(list.commands > 0);
+    shown.sky.invalidate();
+    CHECK_FALSE(shown.sky.light().before);
+    CHECK(shown.update(later).share == 0);  // it fades in anew
+    const CompositeSettings composite{.target_format = rhi::Format::rgba32_float, .exposure = 10};
+    Image last = shown.show();
+    for (std::uint32_t frame = 0; frame <= fade_frames; ++frame) {
+        (void)shown.update(later);
+        last = shown.show();
+    }
+    CHECK(last == alone(*backend, shown.sky.plan(), composite, later));
+}
+
+TEST_CASE("planned sky: with as many targets as there may be, the sun moves on during a fade" * doctest::test_suite("long")) {
+    const auto backend = open_cpu_float();
+    const TwoHours hours = two_hours();
+    Shown shown(*backend, hours.tolerance, false, 2);
+    std::vector<CompositeTargets> all(PlannedSky::max_targets, shown.targets);
+    for (CompositeTargets& one : all) {
+        one.target = backend->make_target(rhi::Format::rgba32_float, extent, shown.state);
+        shown.sky.prepare_composite(one);
+    }
+    const CompositeSettings composite{.target_format = rhi::Format::rgba32_float, .exposure = 10};
+    double sun = hours.first_deg;
+    std::size_t fades = 0;
+    for (int frame = 0; frame < 24; ++frame) {
+        if (frame % 6 == 1) sun = sun == hours.first_deg ? hours.then_deg : hours.first_deg;
+        const PlanUpdate update = shown.update(sun);
+        if (!update.changes.empty()) ++fades;
+        for (const CompositeTargets& one : all) {
+            shown.targets = one;
+            const Image image = shown.show();
+            if (update.share == 1 && frame % 6 == 5 && one.target == all.front().target)
+                CHECK(image == alone(*backend, shown.sky.plan(), composite, sun));
         }
     }
-    shown.sky.invalidate();
-    CHECK(shown.show() == wanted.show());
+    CHECK(fades >= 3);
 }
 
 TEST_CASE("planned sky: other air is planned for, and shown") {
@@ -334,6 +374,9 @@ TEST_CASE("planned sky: what it is given is checked, and nothing changes") {
     PlanRequirements shadowed = day_and_dusk(0.1);
     shadowed.shadows = true;
     CHECK_THROWS_AS(PlannedSky(backend->device(), shadowed), Error);
+    PlanRequirements two_eyes = day_and_dusk(0.1);
+    two_eyes.views = 2;
+    CHECK(rejected_field([&] { PlannedSky(backend->device(), two_eyes); }) == "views");
     const auto composed = [&](const CompositeSettings& composite) {
         return rejected_field([&] { PlannedSky(backend->device(), day_and_dusk(0.1), composite); });
     };

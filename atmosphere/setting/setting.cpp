@@ -30,7 +30,7 @@ void halve(int& count, int least) { count = std::max(least, (count + 1) / 2); }
 
 bool leave_out(QualitySettings& s, std::string_view what) {
     if (what == multiple) return s.multi_scatter_orders = 0, true;
-    if (what == direction) return s.angular_order = 0, s.angular_order_as_needed = false, true;
+    if (what == direction) return s.angular_order_as_needed = false, std::exchange(s.angular_order, 0) != 0;
     if (what == ground_light) return s.ground_light = false, true;
     if (what == precision) return s.table_format = s.froxel_format = half, true;
     if (what != samples) return false;

@@ -364,7 +364,10 @@ def check_plan():
     expect('aerial perspective: recorded' in scene, f'plan of a scene with terrain: {scene}')
     out = works('plan', 'mars', '--tolerance', '0.01%')
     expect('does NOT meet the requirements' in out, f'plan that cannot be: {out}')
-    works('plan', 'earth', '--budget', '1000ms', '--calibrate', *BACKEND)
+    out = works('plan', 'earth', '--budget', '1000ms', '4MiB', '--size', '64x36', '--calibrate', '--measure', *BACKEND, '--json',
+                FOLDER / 'plan.json')
+    measured = json.loads((FOLDER / 'plan.json').read_text())['measured']
+    expect('measured here: ' in out and measured['frame_ms'] > 0 and measured['rebuild_ms'] > 0, f'plan: measured {out}')
     fails('tolerance: nothing is not allowed', 'plan', 'earth')
     fails('--tolerance: "2 per cent" is not allowed', 'plan', 'earth', '--tolerance', '2 per cent')
     fails('--budget: "1s" is not allowed; allowed: milliseconds of a frame as 1ms, or memory as 2MiB', 'plan', 'earth', '--budget',

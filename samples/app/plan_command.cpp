@@ -18,12 +18,14 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::uint32_t measured_rounds = 10;
+
 struct PlanCommand {
     std::string scene, tolerance, sun, altitude, size;
     std::vector<std::string> budgets;
     std::optional<double> geometry_km, rebuilds;
     std::optional<std::uint32_t> suns, views;
-    bool shadows = false, no_light = false, wavelengths = false, calibrate = false, list = false;
+    bool shadows = false, no_light = false, wavelengths = false, calibrate = false, measure = false, list = false;
     std::filesystem::path json_file;
     BackendOptions backend{.name = "auto"};
 };
@@ -159,19 +161,42 @@ void print_candidates(const Plan& plan) {
     }
 }
 
+/// "24.1 ms a frame (foretold 23.9 ms, -1 %)"
+std::string beside(double measured_ms, const char* what, double foretold_ms) {
+    char text[160];
+    if (measured_ms > 0)
+        (void)std::snprintf(text, sizeof text, "%.3g ms %s (foretold %.3g ms, %+.0f %%)", measured_ms, what, foretold_ms,
+                            100 * (foretold_ms - measured_ms) / measured_ms);
+    else
+        (void)std::snprintf(text, sizeof text, "no time %s (foretold %.3g ms)", what, foretold_ms);
+    return text;
+}
+
+void print_measured(const Plan& plan, const PlanCost& measured) {
+    std::printf("measured here: %s, %s\n", beside(measured.frame_ms, "a frame", plan.cost.frame_ms).c_str(),
+                beside(measured.rebuild_ms, "a rebuild", plan.cost.rebuild_ms).c_str());
+}
+
 void run_plan(const PlanCommand& command) {
     PlanRequirements needs = requirements_of(command);
+    validate(needs);
+    const std::unique_ptr<Backend> backend = command.calibrate || command.measure ? open_backend(command.backend) : nullptr;
     if (command.calibrate) {
-        const std::unique_ptr<Backend> backend = open_backend(command.backend);
         needs.speed = measure_speed(*backend, 1);
         std::printf("%s: composites take %.3g, tables %.3g times what they took where costs were measured\n",
                     backend->describe().c_str(), needs.speed.composite, needs.speed.tables);
-        backend->close();
     }
     const Plan found = plan(needs);
     std::fputs(found.text().c_str(), stdout);
     if (command.list) print_candidates(found);
-    if (!command.json_file.empty()) write_text(command.json_file, to_json(found).dump(1) + "\n");
+    json out = to_json(found);
+    if (command.measure) {
+        const PlanCost measured = measure_plan(*backend, needs, found, measured_rounds);
+        print_measured(found, measured);
+        out["measured"] = {{"frame_ms", measured.frame_ms}, {"rebuild_ms", measured.rebuild_ms}};
+    }
+    if (backend) backend->close();
+    if (!command.json_file.empty()) write_text(command.json_file, out.dump(1) + "\n");
 }
 
 }  // namespace
@@ -211,6 +236,8 @@ void add_plan_command(CLI::App& program) {
         "Share of frames in which the tables of the air are made anew, 0 to 1. Default: 1 in 3600, once a minute");
     command->add_flag("--calibrate", options->calibrate,
                       "Measure this device for a second first; else costs are those of the machine where all was measured");
+    command->add_flag("--measure", options->measure,
+                      "Also measure what the plan takes on this device, beside what was foretold (best with --calibrate)");
     command->add_flag("--list", options->list, "Also every setting that was thought of, from the cheapest on");
     command->add_option("--json", options->json_file, "Also write everything as JSON");
     add_backend_options(*command, options->backend);

@@ -26,4 +26,28 @@ DeviceSpeed measure_speed(Backend& backend, double seconds) {
     return calibrated({found.pass("composite").milliseconds.median, found.rebuild.median});
 }
 
+PlanCost measure_plan(Backend& backend, const PlanRequirements& requirements, const Plan& plan, std::uint32_t rounds) {
+    const CostSubject subject{"the plan", plan.air, plan.model};
+    PassCostOptions options;
+    options.width = requirements.width;
+    options.height = requirements.height;
+    options.frames = rounds;
+    options.geometry = requirements.geometry;
+    options.counts = false;
+    const PassCosts found = pass_costs(backend, {&subject, 1}, options, [] {}).at(0);
+    PlanCost cost;
+    for (std::size_t i = 0; i < found.air_passes; ++i) cost.rebuild_ms += found.passes[i].milliseconds.median;
+    double tables_ms = 0;
+    for (std::size_t i = found.air_passes; i < found.air_passes + found.view_passes; ++i) {
+        const PassCost& pass = found.passes[i];
+        const bool recorded =
+            (pass.name != "aerial_perspective" || requirements.geometry) && (pass.name != "light" || requirements.light);
+        if (recorded) tables_ms += requirements.suns * pass.milliseconds.median;
+    }
+    const double shown_ms = found.pass(requirements.geometry ? "composite_geometry" : "composite").milliseconds.median;
+    cost.frame_ms = requirements.views * (shown_ms + tables_ms);
+    cost.charged_ms = cost.frame_ms + requirements.rebuilds_per_frame * cost.rebuild_ms;
+    return cost;
+}
+
 }  // namespace aureole::app

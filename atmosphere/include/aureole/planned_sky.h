@@ -49,7 +49,8 @@ struct PlanUpdate {
 /// Light for a host's own materials, as View::light_table has it: `after` fades in by `share`. Textures live until the next
 /// update().
 struct PlannedLight {
-    rhi::Texture before{};  ///< Null before the first record(), and where PlanRequirements::light is false.
+    rhi::Texture before{};  ///< Null before the first record() and after invalidate() until the next, and where
+                            ///< PlanRequirements::light is false.
     rhi::Texture after{};   ///< Null unless a new sky is fading in.
     double share = 0;       ///< Of `after`, in [0, 1].
 };
@@ -60,7 +61,8 @@ public:
 
     /// The ranges of `needs` are those of the whole scene; each plan is for the part around sun and camera. The first plan is
     /// made by the first update(). `composite`: of every view. Throws as plan() does, and as View does for `composite`. Not for
-    /// PlanRequirements::shadows, Error(unsupported); nor for CompositeSettings::scene_depth without geometry.
+    /// PlanRequirements::shadows, Error(unsupported); nor for several views, or CompositeSettings::scene_depth without
+    /// geometry. Budgets are for one sky: during a fade there are two, and two pictures for each target.
     PlannedSky(rhi::Device& device, const PlanRequirements& needs, const CompositeSettings& composite = {},
                const FollowSettings& follow = {});
     ~PlannedSky();
@@ -82,7 +84,7 @@ public:
 
     /// As View's, but at most max_targets, which stay until they are released: before they are destroyed. Also makes two
     /// textures of the target's size and format for fades, unless FollowSettings::fade_frames is 0: the format must be one that
-    /// can be sampled.
+    /// can be sampled. Before the first update() there is no view to check a texture's use: such an error comes from there.
     void prepare_composite(const CompositeTargets& targets);
     void release_composite(const CompositeTargets& targets) noexcept;
     /// Records the tables of the air and the camera that are due.

@@ -10,7 +10,7 @@
 namespace aureole::detail {
 namespace {
 
-constexpr double measured_pixels = 1280.0 * 720.0;
+constexpr double measured_pixels = double(measured_width) * measured_height;
 constexpr double alike = 1.1;  // costs, or errors, that differ by less are the same
 constexpr int sun_steps = 8, altitude_steps = 4;
 
@@ -44,8 +44,7 @@ std::optional<PlanError> worse(const PlanRequirements& requirements, const Measu
     return worst;
 }
 
-std::string why_excluded(const PlanRequirements& requirements, const Setting& setting) {
-    const std::optional<Prepared> prepared = prepare(setting, requirements.air);
+std::string why_excluded(const PlanRequirements& requirements, const std::optional<Prepared>& prepared) {
     if (!prepared) return "leaves out what this air does not have";
     if (requirements.shadows && !prepared->model->has_shadows()) return "has no shadows in the air";
     return {};
@@ -101,12 +100,16 @@ CostParts cost_of(const PlanRequirements& requirements, const MeasuredCost& meas
     CostParts parts;
     parts.aerial_perspective_ms = requirements.geometry ? views * suns * tables * measured.aerial_perspective_ms : 0;
     parts.light_ms = requirements.light ? views * suns * tables * measured.light_ms : 0;
-    const double shown = requirements.geometry ? measured.composite_geometry_ms : measured.composite_ms;
-    parts.cost.frame_ms =
-        views * (composite * pixels * shown + suns * tables * measured.view_ms) + parts.aerial_perspective_ms + parts.light_ms;
+    if (requirements.shadows)  // of one sun
+        parts.shadows_ms = views * (tables * measured.shadows_ms + composite * pixels * measured.composite_shadows_ms);
+    const double shown = (requirements.geometry ? measured.composite_geometry_ms : measured.composite_ms) +
+                         (suns - 1) * measured.composite_sun_ms;
+    parts.cost.frame_ms = views * (composite * pixels * shown + suns * tables * measured.view_ms) +
+                          parts.aerial_perspective_ms + parts.light_ms + parts.shadows_ms;
     parts.cost.rebuild_ms = tables * measured.rebuild_ms;
     const double aerial_mib = requirements.geometry ? measured.aerial_perspective_mib : 0;
     parts.cost.mebibytes = measured.air_mib + views * suns * (measured.view_mib + aerial_mib);
+    if (requirements.shadows) parts.cost.mebibytes += views * measured.shadows_mib;
     parts.cost.charged_ms = parts.cost.frame_ms + requirements.rebuilds_per_frame * parts.cost.rebuild_ms;
     return parts;
 }
@@ -118,10 +121,14 @@ std::vector<PlanCandidate> candidates_of(const PlanRequirements& requirements, c
     for (const MeasuredSetting& measured : skies.settings) {
         PlanCandidate& candidate = result.emplace_back();
         candidate.setting = measured.setting;
-        candidate.excluded = why_excluded(requirements, measured.setting);
-        const std::optional<MeasuredCost> cost = predictor.cost(measured, places.front());
-        if (candidate.excluded.empty() && !cost) candidate.excluded = "was not measured";
-        if (candidate.excluded.empty()) candidate.cost = cost_of(requirements, *cost).cost;
+        const std::optional<Prepared> prepared = prepare(measured.setting, requirements.air);
+        candidate.excluded = why_excluded(requirements, prepared);
+        if (!candidate.excluded.empty()) continue;
+        const auto cost = predictor.cost(measured, places.front(), table_work(*prepared->model, prepared->air));
+        if (cost)
+            candidate.cost = cost_of(requirements, *cost).cost;
+        else
+            candidate.excluded = "was not measured";
     }
     // Place by place: what a prediction weighs is found once for all settings.
     for (const Situation& place : places)

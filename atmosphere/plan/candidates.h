@@ -20,7 +20,8 @@ namespace aureole::detail {
 /// Of a frame, and of its parts that a view can do without, for one candidate.
 struct CostParts {
     PlanCost cost;
-    double aerial_perspective_ms = 0, light_ms = 0;  ///< Of all views: in cost.frame_ms where they are needed.
+    /// Of all views: in cost.frame_ms where they are needed.
+    double aerial_perspective_ms = 0, light_ms = 0, shadows_ms = 0;
 };
 [[nodiscard]] CostParts cost_of(const PlanRequirements& requirements, const MeasuredCost& measured);
 

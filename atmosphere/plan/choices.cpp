@@ -40,7 +40,7 @@ public:
         add_part("samples", "half the samples");
         add_part("float tables", "float tables");
         add_passes();
-        if (plan_.setting.model == "aureole") add_tables();
+        add_tables();
         return std::move(choices_);
     }
 
@@ -116,9 +116,10 @@ private:
 
     void add_passes() {
         const auto setting = std::ranges::find(skies_.settings, plan_.setting, &MeasuredSetting::setting);
-        const std::optional<MeasuredCost> measured = predictor_.cost(*setting, situations_of(requirements_, skies_).front());
+        const auto measured =
+            predictor_.cost(*setting, situations_of(requirements_, skies_).front(), table_work(*plan_.model, plan_.air));
         PlanRequirements whole = requirements_;
-        whole.geometry = whole.light = true;
+        whole.geometry = whole.light = whole.shadows = true;
         const CostParts parts = cost_of(whole, *measured);
         const auto add = [&](const char* what, bool kept, double ms, const char* why_kept, const char* why_left) {
             choices_.push_back(
@@ -131,38 +132,32 @@ private:
         add("aerial perspective", requirements_.geometry, parts.aerial_perspective_ms, "geometry is seen through the air",
             "no geometry");
         add("light", requirements_.light, parts.light_ms, "the host's materials need it", "no material needs it");
-        if (requirements_.shadows)
-            choices_.push_back({"shadows", "recorded", "what they cost was not measured: it comes on top", {}, {}});
-        if (plan_.setting.model != "aureole")
-            choices_.push_back(
-                {"tables", with_unit(plan_.cost.mebibytes, "MiB"), "of " + plan_.setting.id() + ": sizes on its page", {}, {}});
+        if (plan_.model->has_shadows())
+            add("shadows", requirements_.shadows, parts.shadows_ms,
+                "the host's shadow map darkens the air (of one sun, of the default size)", "no shadow map");
     }
 
     void add_tables() {
-        const QualitySettings q = plan_.model->quality_for(plan_.air);
-        const auto size = [](const rhi::Extent& e, rhi::Format format) {
-            return std::to_string(e.width) + "x" + std::to_string(e.height) +
-                   (e.depth > 1 ? "x" + std::to_string(e.depth) : "") + " " + std::string(rhi::to_string(format));
-        };
-        const auto add = [&](const char* what, const std::string& chosen, const std::string& reason) {
-            choices_.push_back({what, chosen, reason, {}, {}});
-        };
-        const std::string of = "of " + plan_.setting.id();
-        add("transmittance table",
-            size(q.transmittance, q.table_format) + ", " + std::to_string(q.transmittance_nodes) + " nodes a ray", of);
-        if (q.multi_scatter_orders > 0)
-            add("multi-scatter table",
-                size(q.multi_scatter, rhi::Format::rgba32_float) + ", moments to order " + std::to_string(q.angular_order) +
-                    ", " + std::to_string(q.multi_scatter_nodes) + " and " + std::to_string(q.multi_scatter_later_nodes) +
-                    " nodes a ray",
-                q.angular_order < plan_.model->quality().angular_order ? "this air makes use of no higher order" : of);
-        add("sky-view table", size(q.sky_view, q.table_format) + ", " + std::to_string(q.sky_view_nodes) + " nodes a segment",
-            of);
-        if (requirements_.geometry)
-            add("froxels",
-                size(q.aerial_perspective, q.froxel_format) + ", " + std::to_string(q.aerial_perspective_nodes) +
-                    " slabs a slice, to " + with_figures(requirements_.geometry_range_m / 1000, 3, "km"),
-                of);
+        for (const ModelTable& table : plan_.model->tables_for(plan_.air)) {
+            const bool froxels = table.name == "froxels";
+            if (froxels && !requirements_.geometry) continue;
+            const rhi::Extent& e = table.size;
+            const std::string size =
+                std::to_string(e.width) + "x" + std::to_string(e.height) + (e.depth > 1 ? "x" + std::to_string(e.depth) : "");
+            const std::string reach = froxels ? ", to " + with_figures(requirements_.geometry_range_m / 1000, 3, "km") : "";
+            choices_.push_back({table.name,
+                                size + " " + std::string(rhi::to_string(table.format)) + ", " + table.samples + reach,
+                                "of " + plan_.setting.id() + why(table),
+                                {},
+                                {}});
+        }
+        choices_.push_back({"memory", with_unit(plan_.cost.mebibytes, "MiB"), "of all tables, of all views and suns", {}, {}});
+    }
+    /// Less than the quality would take.
+    [[nodiscard]] std::string why(const ModelTable& table) const {
+        if (plan_.setting.model != "aureole" || table.name != "multi-scatter table") return {};
+        const bool lower = plan_.model->quality_for(plan_.air).angular_order < plan_.model->quality().angular_order;
+        return lower ? ": this air makes use of no higher order" : "";
     }
 
     const PlanRequirements& requirements_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "plan/situation.h"
+#include "plan/work.h"
 
 #include <aureole/setting.h>
 
@@ -26,7 +27,10 @@ struct MeasuredError {
     }
 };
 
-/// In one air, on the machine where all were measured; milliseconds of 1280x720 pixels.
+/// Of pictures whose costs are measured.
+inline constexpr std::uint32_t measured_width = 1280, measured_height = 720;
+
+/// In one air, on the machine where all were measured; milliseconds of that many pixels.
 struct MeasuredCost {
     double composite_ms = 0;           ///< Of sky alone.
     double composite_geometry_ms = 0;  ///< Over a host's colour and depth.
@@ -36,6 +40,11 @@ struct MeasuredCost {
     double air_mib = 0;     ///< Memory of those; 0: not measured in this air.
     double view_mib = 0;    ///< Of a view's tables, for one sun, without those of geometry.
     double aerial_perspective_mib = 0;
+    double composite_sun_ms = 0;      ///< What each further sun adds to a composite.
+    double shadows_ms = 0;            ///< The pass; 0 of models that have none, as the next two.
+    double composite_shadows_ms = 0;  ///< What they add to a composite over a host's colour and depth.
+    double shadows_mib = 0;
+    TableWork work{};  ///< Of the setting in this air.
 };
 
 struct MeasuredSetting {

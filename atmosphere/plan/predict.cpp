@@ -9,16 +9,27 @@
 namespace aureole::detail {
 namespace {
 
-constexpr std::array costs{&MeasuredCost::composite_ms,
-                           &MeasuredCost::composite_geometry_ms,
-                           &MeasuredCost::view_ms,
-                           &MeasuredCost::aerial_perspective_ms,
-                           &MeasuredCost::light_ms,
-                           &MeasuredCost::rebuild_ms,
-                           &MeasuredCost::air_mib,
-                           &MeasuredCost::view_mib,
-                           &MeasuredCost::aerial_perspective_mib};
-constexpr double least_cost = 1e-6;  // of what takes no time at all
+/// A cost, and the work that it grows with.
+struct CostOfWork {
+    double MeasuredCost::*cost;
+    double TableWork::*work = nullptr;
+
+    [[nodiscard]] double work_in(const TableWork& all) const { return work != nullptr ? all.*work : 1; }
+};
+constexpr std::array<CostOfWork, 13> costs{{{&MeasuredCost::composite_ms},
+                                            {&MeasuredCost::composite_geometry_ms},
+                                            {&MeasuredCost::view_ms, &TableWork::view},
+                                            {&MeasuredCost::aerial_perspective_ms, &TableWork::view},
+                                            {&MeasuredCost::light_ms},
+                                            {&MeasuredCost::rebuild_ms, &TableWork::rebuild},
+                                            {&MeasuredCost::air_mib, &TableWork::air_memory},
+                                            {&MeasuredCost::view_mib, &TableWork::view_memory},
+                                            {&MeasuredCost::aerial_perspective_mib, &TableWork::aerial_perspective_memory},
+                                            {&MeasuredCost::composite_sun_ms},
+                                            {&MeasuredCost::shadows_ms},
+                                            {&MeasuredCost::composite_shadows_ms},
+                                            {&MeasuredCost::shadows_mib, &TableWork::view_memory}}};
+constexpr double least_cost = 1e-12;  // by work, of what takes no time at all
 
 /// The air alone.
 Situation at_rest(Situation situation) {
@@ -64,19 +75,22 @@ std::optional<PredictedError> Predictor::predict(const MeasuredError& error, con
                           std::exp(logarithm + skies_.margin * error.spread * std::sqrt(from.weights->variance))};
 }
 
-std::optional<MeasuredCost> Predictor::cost(const MeasuredSetting& setting, const Situation& place) {
+std::optional<MeasuredCost> Predictor::cost(const MeasuredSetting& setting, const Situation& place, const TableWork& work) {
     std::vector<std::size_t> points;
     for (std::size_t air = 0; air < setting.by_air.size(); ++air)
         if (setting.by_air[air].air_mib > 0) points.push_back(air);
     if (points.empty()) return {};
     const Known& from = known(std::move(points), true, at_rest(place));
     MeasuredCost result;
-    for (double MeasuredCost::*const cost : costs) {
+    result.work = work;
+    for (const CostOfWork& one : costs) {
         double logarithm = 0;
-        for (std::size_t k = 0; k < from.points.size(); ++k)
-            logarithm += from.weights->of_points[k] * std::log(setting.by_air[from.points[k]].*cost + least_cost);
-        const double found = std::exp(logarithm);
-        result.*cost = found < 1.001 * least_cost ? 0 : found - least_cost;
+        for (std::size_t k = 0; k < from.points.size(); ++k) {
+            const MeasuredCost& known_here = setting.by_air[from.points[k]];
+            logarithm +=
+                from.weights->of_points[k] * std::log(known_here.*one.cost / one.work_in(known_here.work) + least_cost);
+        }
+        result.*one.cost = std::max(std::exp(logarithm) - least_cost, 0.0) * one.work_in(work);
     }
     return result;
 }

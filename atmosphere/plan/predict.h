@@ -27,8 +27,10 @@ public:
 
     /// None where the error is known in too few scenes.
     [[nodiscard]] std::optional<PredictedError> predict(const MeasuredError& error, const Situation& place);
-    /// In an air as that of `place`; none where the setting was measured in no air.
-    [[nodiscard]] std::optional<MeasuredCost> cost(const MeasuredSetting& setting, const Situation& place);
+    /// In an air as that of `place`, where the setting has so much to do; none where it was measured in no air. What is
+    /// interpolated is cost by work.
+    [[nodiscard]] std::optional<MeasuredCost> cost(const MeasuredSetting& setting, const Situation& place,
+                                                   const TableWork& work);
     /// The scenes that are most like a place, most of all the first; and how far it is from all of them: 0 at a scene, 1 as
     /// far as the loneliest scene is from the others, by the deviation that Kriging expects.
     struct Nearest {

@@ -2,6 +2,7 @@
 #include "module/requirements.h"
 #include "plan/axes.h"
 #include "planned_sky/crossfade.h"
+#include "shadows/shadows.h"
 
 #include "common/check.h"
 
@@ -21,10 +22,13 @@ namespace {
 
 using namespace detail;
 
-void check_follow(const FollowSettings& follow) {
+void check_follow(const FollowSettings& follow, bool shadows) {
     check("follow.margin", follow.margin, 0.01, 100);
     check("follow.fade_frames", follow.fade_frames, 0, 100000);
     check("follow.passes_per_frame", follow.passes_per_frame, 0, 64);
+    if (!shadows) return;
+    check("follow.shadows.cascades", follow.shadows.cascades, 1, ShadowSettings::max_cascades);
+    detail::validate(follow.shadows);
 }
 
 /// Where sun and camera are, on the scales of plan/axes.h.
@@ -75,9 +79,14 @@ PlanRequirements near(const PlanRequirements& needs, const Place& place, double 
 
 /// A plan, and what draws it.
 struct Sky {
-    Sky(rhi::Device& device, const Plan& plan_in, const CompositeSettings& composite, std::uint64_t frame)
-        : plan(plan_in), air(device, plan.air, plan.model), view(air, plan.view, composite) {
+    Sky(rhi::Device& device, const Plan& plan_in, const CompositeSettings& composite, const ShadowSettings& shadows,
+        std::uint64_t frame)
+        : plan(plan_in), air(device, plan.air, plan.model), view(air, with(plan.view, shadows), composite) {
         air.set_frame(frame);
+    }
+    [[nodiscard]] static ViewSettings with(ViewSettings view, const ShadowSettings& shadows) {
+        view.shadows = shadows;
+        return view;
     }
     void record(rhi::CommandList& commands) {
         air.record(commands);
@@ -97,8 +106,6 @@ CompositeTargets into(CompositeTargets targets, const TrackedTexture& picture) {
 }
 
 void check_together(const PlanRequirements& needs, const CompositeSettings& composite) {
-    if (needs.shadows)
-        throw Error(ErrorCode::unsupported, "shadows", "true", "false for a PlannedSky, which takes no shadow maps");
     if (needs.views != 1) reject("views", std::to_string(needs.views), "1 for a PlannedSky, which draws one");
     if (composite.scene_depth && !needs.geometry)
         reject("composite.scene_depth", "true", "false without PlanRequirements::geometry");
@@ -110,7 +117,8 @@ struct PlannedSky::Impl {
     Impl(rhi::Device& device_in, const PlanRequirements& needs_in, const CompositeSettings& composite_in,
          const FollowSettings& follow_in)
         : device(device_in), needs(needs_in), composite(composite_in), follow(follow_in) {
-        check_follow(follow);
+        check_follow(follow, needs.shadows);
+        if (!needs.shadows) follow.shadows = {};
         detail::validate(composite);
         require_target(device, composite);
         check_together(needs, composite);
@@ -148,7 +156,7 @@ struct PlannedSky::Impl {
         result.update.planned = true;
         if (stays != nullptr) result.update.changes = differences(stays->plan, result.plan);
         if (stays == nullptr || !(result.plan.setting == stays->plan.setting))
-            result.sky = std::make_unique<Sky>(device, result.plan, composite, frame);
+            result.sky = std::make_unique<Sky>(device, result.plan, composite, follow.shadows, frame);
         return result;
     }
 
@@ -164,6 +172,7 @@ struct PlannedSky::Impl {
                 prepare(*to.sky, targets, fades_in ? &CrossfadePass::Pictures::after : nullptr);
                 if (fades_in) prepare(*stays, targets, &CrossfadePass::Pictures::before);
             }
+            if (shadow_map) to.sky->view.set_shadow_map(*shadow_map);
             to.sky->view.update(camera, suns);
         }
         if (to.update.planned && !to.sky) stays->air.set_parameters(to.plan.air);
@@ -229,6 +238,7 @@ struct PlannedSky::Impl {
     std::optional<CrossfadePass> fade;
     std::unique_ptr<Sky> current, next;
     std::vector<CompositeTargets> prepared;
+    std::optional<ShadowMap> shadow_map;
     Place planned_at;
     bool redo = false;         // the air is another one
     bool shown_since = false;  // a composite has been recorded since the last update
@@ -271,6 +281,14 @@ void PlannedSky::set_exposure(double exposure) {
     for (Sky* sky : {impl_->current.get(), impl_->next.get()})
         if (sky != nullptr) sky->view.set_exposure(exposure);
     impl_->composite.exposure = exposure;
+}
+
+void PlannedSky::set_shadow_map(const ShadowMap& map) {
+    Impl& impl = *impl_;
+    detail::validate(map, impl.follow.shadows, impl.needs.suns, impl.device);
+    for (Sky* sky : {impl.current.get(), impl.next.get()})
+        if (sky != nullptr) sky->view.set_shadow_map(map);
+    impl.shadow_map = map;
 }
 
 void PlannedSky::set_frame(std::uint64_t frame) noexcept {

@@ -363,6 +363,8 @@ def check_plan():
     expect(same.splitlines()[0] == out.splitlines()[0], 'plan: a share is a percentage')
     scene = works('plan', SCENES / 'terrain_far.toml', '--budget', '100ms', '64MiB')
     expect('aerial perspective: recorded' in scene, f'plan of a scene with terrain: {scene}')
+    dusk = works('plan', SCENES / 'golden_hour.toml', '--tolerance', '20%')
+    expect('4 wavelengths' in dusk.splitlines()[0] or '4' in dusk.splitlines()[0].split(), f'plan in wavelengths: {dusk}')
     out = works('plan', 'mars', '--tolerance', '0.01%')
     expect('does NOT meet the requirements' in out, f'plan that cannot be: {out}')
     out = works('plan', 'earth', '--budget', '1000ms', '4MiB', '--size', '64x36', *CALIBRATE, '--measure', *BACKEND, '--json',

@@ -23,10 +23,12 @@ void print_coverage(const char* name, const detail::MeasuredSkies& skies, std::u
     const Coverage found = coverage(skies, held_out);
     std::printf(
         "%s: %zu scenes, %zu settings; fitted without %zu scenes (seed %u), of %zu errors there %.1f %% are at or below "
-        "their bound; bound / measured %.2f, |likely / measured| off by %.0f %% (medians); of %zu choices %.1f %% keep "
-        "their tolerance\n",
-        name, skies.scenes.size(), skies.settings.size(), held_out.size(), seed, found.predictions, 100 * found.below_bound,
-        found.median_excess, 100 * (std::exp(found.median_off) - 1), found.choices, 100 * found.choices_kept);
+        "their bound (of sky %.1f %%, of geometry %.1f %%); bound / measured %.2f (%.2f, %.2f), |likely / measured| off by "
+        "%.0f %% (medians); of %zu choices %.1f %% keep their tolerance\n",
+        name, skies.scenes.size(), skies.settings.size(), held_out.size(), seed, found.all.predictions,
+        100 * found.all.below_bound, 100 * found.sky.below_bound, 100 * found.geometry.below_bound, found.all.median_excess,
+        found.sky.median_excess, found.geometry.median_excess, 100 * (std::exp(found.all.median_off) - 1), found.choices,
+        100 * found.choices_kept);
 }
 
 void run_fit(const FitCommand& command) {
@@ -59,8 +61,10 @@ void add_fit_command(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "fit", "Makes the planner's table from measurements, and says how its predictions hold in scenes that it has not seen");
     command
-        ->add_option("measurements", options->measurements,
-                     "measurements.json of `aureole measure`, one or several; of what occurs twice the later counts")
+        ->add_option(
+            "measurements", options->measurements,
+            "measurements.json of `aureole measure`, one or several; of what occurs twice the later counts. At least one with "
+            "costs")
         ->required();
     command->add_option("-o,--out", options->out,
                         "Folder for measured_rgb.inc and measured_wavelengths.inc (the library's: atmosphere/plan); none: "

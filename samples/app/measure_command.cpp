@@ -68,22 +68,6 @@ void write_all(const nlohmann::json& measured, const MeasureCommand& command) {
     std::printf("%s\n", (command.out / "report.html").c_str());
 }
 
-void keep_airs(Suite& suite, const std::vector<std::string>& names) {
-    if (names.empty()) return;
-    const Suite whole = suite;
-    suite.airs.clear();
-    suite.scenes.clear();
-    for (const std::string& name : names) {
-        const auto air = std::ranges::find(whole.airs, name, &SuiteAir::name);
-        if (air == whole.airs.end()) throw Error(ErrorCode::invalid_argument, "--airs", name, "an air of the suite");
-        suite.airs.push_back(*air);
-        for (const std::size_t i : whole.scenes_of(static_cast<std::size_t>(air - whole.airs.begin()))) {
-            suite.scenes.push_back(whole.scenes[i]);
-            suite.scenes.back().air = suite.airs.size() - 1;
-        }
-    }
-}
-
 void run_measure(const MeasureCommand& command) {
     Suite suite = read_suite(find_suite(command.suite));
     keep_models(suite, command.models);

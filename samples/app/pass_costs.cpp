@@ -1,111 +1,147 @@
 #include "app/pass_costs.h"
 
+#include "app/cost_scene.h"
 #include "app/pass_counts.h"
 #include "app/pass_times.h"
 #include "app/quantile.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <numbers>
-#include <optional>
+#include <span>
 
 namespace aureole::app {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double camera_altitude_m = 500;
-constexpr std::string_view geometry_pass = "composite_geometry";
+/// Costs of features are measured with so many times fewer pixels each way.
+constexpr std::uint32_t coarser = 2;
 
-rhi::Format target_format(const PassCostOptions& options) {
-    return options.linear ? rhi::Format::rgba16_float : rhi::Format::rgba8_unorm;
+PassCostOptions at_fewer_pixels(PassCostOptions options) {
+    options.width = std::max(options.width / coarser, 1U);
+    options.height = std::max(options.height / coarser, 1U);
+    return options;
 }
 
-CompositeSettings composite_settings(const PassCostOptions& options, bool geometry) {
-    CompositeSettings settings;
-    settings.target_format = target_format(options);
-    settings.raster = options.raster;
-    settings.scene_color = settings.scene_depth = geometry;
-    if (options.linear) return settings;
-    settings.exposure = 10;
-    settings.tone_map = ToneMap::aces_fitted;
-    settings.encode_srgb = settings.dither = true;
+/// What composites are drawn into.
+struct Scenes {
+    Scenes(Backend& backend, const PassCostOptions& options)
+        : whole(backend, options), coarse(backend, at_fewer_pixels(options)) {}
+    CostTextures whole, coarse;
+};
+
+/// Another composite than that of sky alone.
+struct Variant {
+    const char* name;
+    bool geometry = false, shadows = false, coarse = false;
+    std::uint32_t suns = 1;
+};
+constexpr Variant with_geometry{"composite_geometry", true};
+constexpr Variant with_two_suns{"composite_two_suns", false, false, true, 2},
+    with_shadows{"composite_shadows", true, true, true};
+
+std::vector<Variant> variants_of(const PassCostOptions& options, const Model& model) {
+    std::vector<Variant> variants;
+    if (options.geometry) variants.push_back(with_geometry);
+    if (!options.features) return variants;
+    variants.push_back(with_two_suns);
+    if (model.has_shadows()) variants.push_back(with_shadows);
+    return variants;
+}
+
+ViewSettings view_settings(const Variant& variant) {
+    ViewSettings settings;
+    settings.max_suns = variant.suns;
+    settings.shadows.cascades = variant.shadows ? 1 : 0;
     return settings;
 }
 
-Camera cost_camera(const Planet& planet, const PassCostOptions& options) {
-    return look(planet.bottom_radius_m, camera_altitude_m, 0, 0, 60 * degree,
-                static_cast<double>(options.width) / options.height);
-}
-
-/// What a host would hand over: a plain under the camera up to the middle of the picture, then a ridge, then sky.
-struct Textures {
-    Textures(Backend& backend, const PassCostOptions& options) : own(backend) {
-        const rhi::Extent extent{options.width, options.height, 1};
-        const rhi::Usage written = options.raster ? rhi::Usage::color_attachment : rhi::Usage::storage;
-        state = options.raster ? rhi::State::color_attachment : rhi::State::storage_write;
-        plain.extent = geometry.extent = extent;
-        plain.target = geometry.target =
-            own.create("picture", target_format(options), extent, written | rhi::Usage::copy_source);
-        own.make_ready(plain.target, state);
-
-        constexpr rhi::Usage given = rhi::Usage::sampled | rhi::Usage::copy_destination;
-        geometry.scene_color = own.create("scene colour", rhi::Format::rgba16_float, extent, given);
-        geometry.scene_depth = own.create("scene depth", rhi::Format::d32_float, extent, given);
-        std::vector<float> depth(std::size_t{options.width} * options.height);
-        const Camera camera = cost_camera({}, options);  // of any planet: the matrix alone
-        for (std::uint32_t y = 0; y < options.height; ++y) {
-            const double down = ((y + 0.5) / options.height * 2 - 1) / camera.projection[1][1];
-            const double view_depth = down > 0.005 ? camera_altitude_m / down : down > -0.1 ? 20000 : INFINITY;
-            for (std::uint32_t x = 0; x < options.width; ++x)
-                depth[std::size_t{y} * options.width + x] = static_cast<float>(camera.projection[3][2] / view_depth);
-        }
-        const std::vector<std::uint16_t> color(depth.size() * 4, 0x2000);  // 2^-7 in half floats
-        own.upload(geometry.scene_color, std::as_bytes(std::span(color)), rhi::State::undefined, rhi::State::sampled);
-        own.upload(geometry.scene_depth, std::as_bytes(std::span(depth)), rhi::State::undefined, rhi::State::depth_read);
+/// A view that draws one of them.
+class VariantView {
+public:
+    VariantView(Atmosphere& air, const PassCostOptions& options, const Scenes& scenes, const Variant& variant)
+        : variant_(variant),
+          targets_((variant.coarse ? scenes.coarse : scenes.whole).targets(variant.geometry)),
+          pixels_(variant.coarse ? double(options.width) * options.height / targets_.extent.width / targets_.extent.height : 1),
+          view_(air, view_settings(variant), cost_composite(options, variant.geometry)) {
+        view_.prepare_composite(targets_);
+        if (variant.shadows) view_.set_shadow_map(scenes.coarse.shadow_map(air.parameters().planet));
     }
 
-    DeviceTextures own;
-    rhi::State state = rhi::State::undefined;
-    CompositeTargets plain, geometry;
+    void update(const Camera& camera, const Sun& sun) {
+        std::array<Sun, 2> suns{sun, sun};
+        suns[1].direction.y = suns[1].direction.x;
+        suns[1].direction.x = 0;
+        view_.update(camera, std::span(suns).first(variant_.suns));
+    }
+    /// Tables, then the composite; of both what counts.
+    void draw(Backend& backend, std::vector<PassTime>& times) {
+        const TimestampSlots slots = if_supported(backend, view_slots);
+        backend.run([&](rhi::CommandList& commands) { view_.record(commands, slots); });
+        std::vector<PassTime> tables;
+        collect_times(backend, view_.reports(), slots, tables);
+        std::ranges::copy_if(tables, std::back_inserter(times), [](const PassTime& time) { return time.name == "shadows"; });
+        backend.run([&](rhi::CommandList& commands) { view_.record_composite(commands, targets_, slots); });
+        std::vector<PassTime> composite;
+        collect_times(backend, view_.reports().last(1), {true, slots.first + 2 * static_cast<std::uint32_t>(before())},
+                      composite);
+        times.push_back({variant_.name, pixels_ * composite.at(0).milliseconds});
+    }
+    /// The backend counts.
+    [[nodiscard]] rhi::CpuCounts count(Backend& backend) {
+        backend.run([&](rhi::CommandList& commands) { view_.record(commands); });
+        return count_passes(backend, [&](rhi::CommandList& commands) { view_.record_composite(commands, targets_); })
+            .at("composite");
+    }
+
+    [[nodiscard]] const Variant& variant() const { return variant_; }
+    [[nodiscard]] std::uint64_t invocations() const { return view_.reports().back().invocations; }
+    [[nodiscard]] std::uint64_t table_bytes() const { return view_.table_bytes(); }
+
+private:
+    [[nodiscard]] std::size_t before() const { return view_.reports().size() - 1; }
+
+    Variant variant_;
+    CompositeTargets targets_;
+    double pixels_;  // for each of these
+    View view_;
 };
 
 /// One model under test.
 class Subject {
 public:
-    Subject(Backend& backend, const PassCostOptions& options, const Textures& textures, const CostSubject& of)
+    Subject(Backend& backend, const PassCostOptions& options, const Scenes& scenes, const CostSubject& of)
         : backend_(backend),
-          textures_(textures),
+          targets_(scenes.whole.targets(false)),
           camera_(cost_camera(of.air.planet, options)),
           albedo_(of.air.planet.ground_albedo),
           air_(backend.device(), of.air, of.model),
-          plain_(air_, {}, composite_settings(options, false)) {
+          plain_(air_, {}, cost_composite(options, false)) {
         for (const PassReport& report : air_.reports()) names_.emplace_back(report.name);
         for (const PassReport& report : plain_.reports()) names_.emplace_back(report.name);
         result.air_passes = air_.reports().size();
         result.view_passes = plain_.reports().size() - 1;
-        plain_.prepare_composite(textures.plain);
-        if (!options.geometry) return;
-        names_.emplace_back(geometry_pass);
-        geometry_.emplace(air_, ViewSettings{}, composite_settings(options, true));
-        geometry_->prepare_composite(textures.geometry);
+        plain_.prepare_composite(targets_);
+        for (const Variant& variant : variants_of(options, *of.model)) {
+            variants_.push_back(std::make_unique<VariantView>(air_, options, scenes, variant));
+            if (variant.shadows) names_.emplace_back("shadows");
+            names_.emplace_back(variant.name);
+        }
     }
 
-    /// One round; what it took.
-    std::vector<PassTime> run(std::uint32_t round) {
+    /// One round, with or without features; what it took.
+    std::vector<PassTime> run(std::uint32_t round, bool features) {
         update(round);
         std::vector<PassTime> times;
         draw_plain();
         collect_times(backend_, air_.reports(), air_slots, times);
         collect_times(backend_, plain_.reports(), view_slots, times);
-        if (geometry_) {
-            std::vector<PassTime> geometry_times;
-            draw_geometry_tables();
-            draw_geometry();
-            collect_times(backend_, geometry_->reports().last(1), slot_of_composite(), geometry_times);
-            times.push_back({std::string(geometry_pass), geometry_times.at(0).milliseconds});
-        }
+        for (const auto& variant : variants_)
+            if (features || !variant->variant().coarse) variant->draw(backend_, times);
         return times;
     }
 
@@ -131,10 +167,9 @@ public:
     std::map<std::string, rhi::CpuCounts> count(bool composites) {
         update(0);
         auto counts = count_passes(backend_, [&](rhi::CommandList& commands) { record_plain(commands, {}, {}, composites); });
-        if (!geometry_ || !composites) return counts;
-        draw_geometry_tables();
-        const auto again = count_passes(backend_, [&](rhi::CommandList& commands) { record_geometry(commands, {}); });
-        counts[std::string(geometry_pass)] = again.at("composite");
+        if (!composites) return counts;
+        for (const auto& variant : variants_)
+            if (!variant->variant().coarse) counts[variant->variant().name] = variant->count(backend_);
         return counts;
     }
 
@@ -158,6 +193,8 @@ public:
         if (desc != nullptr)
             result.aerial_perspective_bytes = std::uint64_t{desc->extent.width} * desc->extent.height * desc->extent.depth *
                                               rhi::bytes_per_texel(desc->format);
+        for (const auto& variant : variants_)
+            if (variant->variant().shadows) result.shadow_bytes = variant->table_bytes() - plain_.table_bytes();
     }
 
     PassCosts result;
@@ -177,34 +214,21 @@ private:
         const double elevation = (20 + 0.5 * (round % 100)) * degree;
         sun.direction = {std::cos(elevation), 0, std::sin(elevation)};
         plain_.update(camera_, {&sun, 1});
-        if (geometry_) geometry_->update(camera_, {&sun, 1});
+        for (const auto& variant : variants_) variant->update(camera_, sun);
     }
     void record_plain(rhi::CommandList& commands, TimestampSlots air, TimestampSlots view, bool composite) {
         air_.record(commands, air);
         plain_.record(commands, view);
-        if (composite) plain_.record_composite(commands, textures_.plain, view);
-    }
-    void record_geometry(rhi::CommandList& commands, TimestampSlots view) {
-        geometry_->record_composite(commands, textures_.geometry, view);
+        if (composite) plain_.record_composite(commands, targets_, view);
     }
     void draw_plain() {
         const TimestampSlots air = if_supported(backend_, air_slots), view = if_supported(backend_, view_slots);
         backend_.run([&](rhi::CommandList& commands) { record_plain(commands, air, view, true); });
     }
-    void draw_geometry_tables() {
-        backend_.run([&](rhi::CommandList& commands) { geometry_->record(commands); });
-    }
-    void draw_geometry() {
-        const TimestampSlots view = if_supported(backend_, view_slots);
-        backend_.run([&](rhi::CommandList& commands) { record_geometry(commands, view); });
-    }
 
-    [[nodiscard]] TimestampSlots slot_of_composite() const {
-        const std::size_t before = geometry_->reports().size() - 1;
-        return {true, view_slots.first + 2 * static_cast<std::uint32_t>(before)};
-    }
     [[nodiscard]] std::uint64_t invocations_of(std::string_view name) const {
-        if (name == geometry_pass) return geometry_->reports().back().invocations;
+        for (const auto& variant : variants_)
+            if (name == variant->variant().name) return variant->invocations();
         for (const std::span<const PassReport> reports : {air_.reports(), plain_.reports()})
             for (const PassReport& report : reports)
                 if (report.name == name) return report.invocations;
@@ -212,22 +236,22 @@ private:
     }
 
     Backend& backend_;
-    const Textures& textures_;
+    CompositeTargets targets_;
     Camera camera_;
     Rgb albedo_;
     Atmosphere air_;
     View plain_;
-    std::optional<View> geometry_;
+    std::vector<std::unique_ptr<VariantView>> variants_;
     std::vector<std::string> names_;  // of all passes, as PassCosts has them
     std::map<std::string, std::vector<double>> samples_;
     std::vector<double> per_frame_, frame_, rebuild_;
     std::map<std::string, rhi::CpuCounts> counts_;
 };
 
-std::unique_ptr<Subject> open(Backend& backend, const PassCostOptions& options, const Textures& textures,
+std::unique_ptr<Subject> open(Backend& backend, const PassCostOptions& options, const Scenes& scenes,
                               const CostSubject& subject) {
     try {
-        return std::make_unique<Subject>(backend, options, textures, subject);
+        return std::make_unique<Subject>(backend, options, scenes, subject);
     } catch (const Error& error) {
         throw error.field().empty() ? Error(error.code(), subject.label + ": " + error.what())
                                     : Error(error.code(), subject.label + ": " + error.field(), error.value(), error.allowed());
@@ -251,19 +275,20 @@ std::vector<PassCosts> pass_costs(Backend& backend, std::span<const CostSubject>
                                   const std::function<void()>& after_round) {
     if (!if_supported(backend, air_slots).enabled)
         throw Error(ErrorCode::unsupported, backend.describe() + " has no clock that passes can be timed with");
-    const Textures textures(backend, options);
+    const Scenes scenes(backend, options);
     std::vector<std::unique_ptr<Subject>> running;
-    for (const CostSubject& subject : subjects) running.push_back(open(backend, options, textures, subject));
+    for (const CostSubject& subject : subjects) running.push_back(open(backend, options, scenes, subject));
     for (const CostRound& round : options.known)
         for (std::size_t i = 0; i < running.size(); ++i) running[i]->keep(round.at(i));
     const auto known = static_cast<std::uint32_t>(std::min<std::size_t>(options.known.size(), options.frames));
     const std::uint32_t rounds = known < options.frames ? options.frames - known + options.warm_up : 0;
     for (std::uint32_t round = 0; round < rounds; ++round) {
         // Each after another one in each round: what the one before leaves in caches hits all alike.
+        const bool features = (round + options.warm_up) % 2 == 0;  // of those that count the first, the third ...
         CostRound times(running.size());
         for (std::size_t i = 0; i < running.size(); ++i) {
             const std::size_t turn = (i + round) % running.size(), next = round % 2 == 0 ? turn : running.size() - 1 - turn;
-            times[next] = running[next]->run(round);
+            times[next] = running[next]->run(round, features);
         }
         if (round >= options.warm_up) {
             for (std::size_t i = 0; i < running.size(); ++i) running[i]->keep(times[i]);
@@ -278,8 +303,9 @@ std::vector<PassCosts> pass_costs(Backend& backend, std::span<const CostSubject>
         counting.count_work = true;
         const std::unique_ptr<Backend> counter = open_backend(counting);
         PassCostOptions counted = options;
+        counted.features = false;
         if (options.counted_width > 0) counted.width = options.counted_width, counted.height = options.counted_height;
-        const Textures inputs(*counter, counted);
+        const Scenes inputs(*counter, counted);
         for (std::size_t i = 0; i < running.size(); ++i)
             running[i]->set_counts(open(*counter, counted, inputs, subjects[i])->count(options.composites));
     }

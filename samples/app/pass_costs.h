@@ -32,10 +32,14 @@ struct PassCostOptions {
     std::uint32_t frames = 20;                 ///< Measured rounds.
     std::uint32_t warm_up = 2;                 ///< Rounds before them that are thrown away.
     bool raster = false;
-    bool linear = false;     ///< Composite into half floats, without exposure, tone map, sRGB curve and dither.
-    bool geometry = true;    ///< Also a composite with a host's colour and depth.
-    bool counts = true;      ///< Also count the passes' work, with a run on the CPU backend.
-    bool composites = true;  ///< Count composites too.
+    bool linear = false;   ///< Composite into half floats, without exposure, tone map, sRGB curve and dither.
+    bool geometry = true;  ///< Also a composite with a host's colour and depth.
+    /// Also a composite with two suns, and one with geometry and shadows in the air (of models that have them): at a quarter of
+    /// the pixels, which are taken to be as dear as all, and in every other round; and the pass "shadows". None of these are
+    /// counted.
+    bool features = false;
+    bool counts = true;                                   ///< Also count the passes' work, with a run on the CPU backend.
+    bool composites = true;                               ///< Count composites too.
     std::uint32_t counted_width = 0, counted_height = 0;  ///< Of the composite that is counted; 0: as measured.
     /// Rounds that an earlier run has measured of the same subjects: they count, and so many fewer are run.
     std::vector<CostRound> known{};
@@ -49,20 +53,23 @@ struct Spread {
 [[nodiscard]] Spread spread_of(std::vector<double> samples);
 
 struct PassCost {
-    std::string name;  ///< As in PassReport; "composite" without and "composite_geometry" with a host's colour and depth.
+    /// As in PassReport; "composite" without and "composite_geometry" with a host's colour and depth; "composite_two_suns",
+    /// "composite_shadows".
+    std::string name;
     Spread milliseconds;
     std::uint64_t invocations = 0;
     rhi::CpuCounts counts;  ///< Of the same pass on the CPU backend, counted as it runs.
 };
 
 struct PassCosts {
-    std::vector<PassCost> passes;                               ///< Of the air, of the view, "composite", "composite_geometry".
+    std::vector<PassCost> passes;                               ///< Of the air, of the view, then composites.
     std::size_t air_passes = 0, view_passes = 0;                ///< How many of each, the view's without composites.
     Spread per_frame;                                           ///< All passes of the view together.
     Spread frame;                                               ///< The same and the composite without geometry.
     Spread rebuild;                                             ///< All passes of the air and per_frame.
     std::uint64_t table_bytes = 0;                              ///< Device memory of all tables of one planet and one view.
     std::uint64_t air_bytes = 0, aerial_perspective_bytes = 0;  ///< Parts of it: of the planet; of the view's froxels.
+    std::uint64_t shadow_bytes = 0;                             ///< What shadows add to it; 0 without `features`.
 
     [[nodiscard]] const PassCost& pass(std::string_view name) const;
 };

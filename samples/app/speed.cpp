@@ -32,9 +32,11 @@ PlanCost measure_plan(Backend& backend, const PlanRequirements& requirements, co
     options.width = requirements.width;
     options.height = requirements.height;
     options.frames = rounds;
-    options.geometry = requirements.geometry;
+    options.geometry = requirements.geometry || requirements.shadows;
+    options.features = requirements.suns > 1 || requirements.shadows;
     options.counts = false;
     const PassCosts found = pass_costs(backend, {&subject, 1}, options, [] {}).at(0);
+    const auto median = [&](const char* pass) { return found.pass(pass).milliseconds.median; };
     PlanCost cost;
     for (std::size_t i = 0; i < found.air_passes; ++i) cost.rebuild_ms += found.passes[i].milliseconds.median;
     double tables_ms = 0;
@@ -44,7 +46,13 @@ PlanCost measure_plan(Backend& backend, const PlanRequirements& requirements, co
             (pass.name != "aerial_perspective" || requirements.geometry) && (pass.name != "light" || requirements.light);
         if (recorded) tables_ms += requirements.suns * pass.milliseconds.median;
     }
-    const double shown_ms = found.pass(requirements.geometry ? "composite_geometry" : "composite").milliseconds.median;
+    double shown_ms = median(requirements.geometry ? "composite_geometry" : "composite");
+    if (requirements.suns > 1)
+        shown_ms += (requirements.suns - 1) * std::max(median("composite_two_suns") - median("composite"), 0.0);
+    if (requirements.shadows) {
+        tables_ms += median("shadows");
+        shown_ms += std::max(median("composite_shadows") - median("composite_geometry"), 0.0);
+    }
     cost.frame_ms = requirements.views * (shown_ms + tables_ms);
     cost.charged_ms = cost.frame_ms + requirements.rebuilds_per_frame * cost.rebuild_ms;
     return cost;

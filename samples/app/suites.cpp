@@ -32,4 +32,21 @@ std::filesystem::path find_suite(const std::string& name) {
                 known + "or a file (.toml); suites are looked for in " + folder.string());
 }
 
+void keep_airs(Suite& suite, const std::vector<std::string>& names) {
+    if (names.empty()) return;
+    const Suite whole = suite;
+    suite.airs.clear();
+    suite.scenes.clear();
+    for (const std::string& name : names) {
+        const auto air = std::ranges::find(whole.airs, name, &SuiteAir::name);
+        if (air == whole.airs.end() || std::ranges::find(suite.airs, name, &SuiteAir::name) != suite.airs.end())
+            throw Error(ErrorCode::invalid_argument, "--airs", name, "airs of the suite, each once");
+        suite.airs.push_back(*air);
+        for (const std::size_t i : whole.scenes_of(static_cast<std::size_t>(air - whole.airs.begin()))) {
+            suite.scenes.push_back(whole.scenes[i]);
+            suite.scenes.back().air = suite.airs.size() - 1;
+        }
+    }
+}
+
 }  // namespace aureole::app

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace aureole::app {
@@ -51,10 +52,11 @@ struct Tracer::Eyes {
         : backend(device), colours(parameters, settings.spectral), target(device, rows) {}
 
     /// An eye for every air, for orders up to `order`; 0: all.
-    std::vector<std::unique_ptr<TraceEye>> open(int order, int paths, int of_seed) {
+    std::vector<std::unique_ptr<TraceEye>> open(int order, int paths, const TraceSettings& settings, std::uint64_t nth) {
         std::vector<std::unique_ptr<TraceEye>> opened;
-        for (const AtmosphereParameters& air : colours.airs())
-            opened.push_back(std::make_unique<TraceEye>(backend, air, up_to_order(order, paths, of_seed), target));
+        for (std::size_t air = 0; air < colours.airs().size(); ++air)
+            opened.push_back(std::make_unique<TraceEye>(backend, colours.airs()[air],
+                                                        up_to_order(order, paths, nth_seed(settings, nth, air)), target));
         return opened;
     }
     /// Adds what they see of the chosen rows. False if it was stopped before.
@@ -75,19 +77,20 @@ struct Tracer::Eyes {
     }
     /// Makes what this round needs: one of another seed needs other eyes.
     void prepare(std::uint64_t round, const TraceSettings& settings) {
-        const int wanted = nth_seed(settings, round / seed_rounds);
-        if (wanted == seed) return;
+        const std::uint64_t nth = round / seed_rounds;
+        if (seeds == nth) return;
         by_order.clear();
-        by_order.push_back(open(0, trace_batch_paths, wanted));
-        for (int order = 2; order <= settings.orders; ++order) by_order.push_back(open(order, trace_batch_paths, wanted));
-        seed = wanted;
+        by_order.push_back(open(0, trace_batch_paths, settings, nth));
+        for (int order = 2; order <= settings.orders; ++order)
+            by_order.push_back(open(order, trace_batch_paths, settings, nth));
+        seeds = nth;
     }
 
     Backend& backend;
     TraceColours colours;
     TraceTarget target;
     std::vector<std::vector<std::unique_ptr<TraceEye>>> by_order;  ///< All orders; up to the second, the third, ...
-    int seed = -1;
+    std::optional<std::uint64_t> seeds;                            ///< The how many-th.
 };
 
 Tracer::Tracer(Backend& backend, const AtmosphereParameters& parameters, std::vector<ProbeRow> rows,
@@ -115,7 +118,7 @@ void Tracer::find_first_orders(const AtmosphereParameters& parameters) {
     AtmosphereParameters black = parameters;
     black.planet.ground_albedo = Rgb(0);
     Eyes over_black(backend_, black, rows_.size(), settings_);
-    const auto first = eyes_->open(1, 0, 0), first_air = over_black.open(1, 0, 0);
+    const auto first = eyes_->open(1, 0, settings_, 0), first_air = over_black.open(1, 0, settings_, 0);
     Values all(rows_.size() * trace_lanes), air(rows_.size() * trace_lanes);
     for (const std::vector<std::size_t>& block : blocks_) {
         eyes_->target.look(rows_, block, 1);

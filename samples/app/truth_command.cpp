@@ -21,6 +21,7 @@ constexpr std::uint64_t light_max_paths = 16384;
 
 struct TruthOptions {
     std::string suite = "small";
+    std::vector<std::string> airs;
     BackendOptions backend{.name = "cpu-double"};
 };
 
@@ -161,7 +162,8 @@ void complete_light(const Suite& suite, std::size_t index, Backend& backend) {
 }
 
 void run_truth(const TruthOptions& options) {
-    const Suite suite = read_suite(find_suite(options.suite));
+    Suite suite = read_suite(find_suite(options.suite));
+    keep_airs(suite, options.airs);
     std::filesystem::create_directories(suite.truth_folder);
     const std::unique_ptr<Backend> backend = open_backend(options.backend);
     for (std::size_t i = 0; i < suite.airs.size(); ++i) {
@@ -187,6 +189,7 @@ void add_truth_command(CLI::App& program) {
                      "One of the program's own suites by its name, or a file (TOML); tables are written to the folder truth "
                      "beside it")
         ->required();
+    command->add_option("--airs", options->airs, "Only these airs of the suite, by name, separated by commas")->delimiter(',');
     add_backend_options(*command, options->backend);
     command->callback([options] { run_truth(*options); });
 }

@@ -173,7 +173,7 @@ public:
     /// DrawRound
     bool draw(std::uint64_t round, std::span<const std::size_t> wanted, std::span<Rgb> values,
               const std::function<bool()>& stop) {
-        prepare(nth_seed(settings_, round / seed_rounds));
+        prepare(round / seed_rounds);
         target_.choose(wanted);
         for (const std::size_t pixel : wanted) values[pixel] = Rgb(0);
         for (std::size_t air = 0; air < eyes_.size(); ++air) {
@@ -193,15 +193,16 @@ private:
         AerialEye eye;
     };
 
-    void prepare(int seed) {
-        if (seed == seed_) return;
+    void prepare(std::uint64_t seeds) {
+        if (seeds == seeds_) return;
         models::ReferenceSettings settings;
         settings.paths_per_frame = trace_batch_paths;
-        settings.seed = seed;
         eyes_.clear();
-        for (const AtmosphereParameters& air : colours_.airs())
-            eyes_.push_back(std::make_unique<Traced>(backend_, air, models::reference(settings), target_));
-        seed_ = seed;
+        for (std::size_t air = 0; air < colours_.airs().size(); ++air) {
+            settings.seed = nth_seed(settings_, seeds, air);
+            eyes_.push_back(std::make_unique<Traced>(backend_, colours_.airs()[air], models::reference(settings), target_));
+        }
+        seeds_ = seeds;
     }
 
     Backend& backend_;
@@ -210,7 +211,7 @@ private:
     TraceColours colours_;
     AerialTarget target_;
     std::vector<std::unique_ptr<Traced>> eyes_;
-    int seed_ = -1;
+    std::optional<std::uint64_t> seeds_;  // the how many-th
 };
 
 }  // namespace

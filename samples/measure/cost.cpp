@@ -25,11 +25,15 @@ Cost cost_of(const PassCosts& passes) {
               time_of("composite_geometry"),
               time_of("aerial_perspective"),
               time_of("light"),
+              time_of("composite_two_suns"),
+              time_of("shadows"),
+              time_of("composite_shadows"),
               {},
               {},
               passes.table_bytes,
               passes.air_bytes,
-              passes.aerial_perspective_bytes};
+              passes.aerial_perspective_bytes,
+              passes.shadow_bytes};
     cost.per_frame = times(passes.pass("composite").counts, std::uint64_t{coarser} * coarser);
     for (std::size_t i = 0; i < passes.air_passes + passes.view_passes; ++i) {
         cost.rebuild += passes.passes[i].counts;
@@ -48,6 +52,7 @@ std::vector<Cost> costs(Backend& backend, std::span<const CostSubject> subjects,
     measured.height = options.height;
     measured.frames = options.rounds;
     measured.warm_up = options.warm_up;
+    measured.features = options.features;
     measured.known = options.known;
     measured.after_measured = options.after_measured;
     measured.counted_width = std::max(options.width / coarser, 1U);

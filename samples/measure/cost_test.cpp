@@ -2,6 +2,7 @@
 
 #include "app/bench.h"
 #include "io/test_files.h"
+#include "plan/work.h"
 
 #include <aureole/models/aureole.h>
 #include <aureole/models/hillaire.h>
@@ -84,6 +85,57 @@ TEST_CASE("costs: every air has its own, over black ground too") {
     CHECK(found[2].rebuild.bytes == found[0].rebuild.bytes);
     for (const Cost& cost : found) CHECK(cost.rebuild_ms.p10 > cost.per_frame_ms.p10);
     CHECK(found[2].rebuild_ms.median > 1.2 * found[2].per_frame_ms.median);  // rebuilt in most rounds
+}
+
+TEST_CASE("costs: the work of another air is foretold by the settings that it gets") {
+    const auto backend = open_backend({.name = "cpu"});
+    const ModelPtr model = models::aureole();
+    std::vector<CostSubject> subjects;
+    for (const char* air : {"earth", "hazy_earth", "mars", "us_standard_1976"})
+        subjects.push_back({air, presets::by_name(air), model});
+    AtmosphereParameters thick = presets::hazy_earth();
+    for (DensityTerm& term : thick.terms)
+        if (term.name == "mie") term.scattering_scale = term.absorption_scale = 4;
+    subjects.push_back({"thick haze", thick, model});
+    const std::vector<Cost> found = costs(*backend, subjects, quick());
+    const auto reads = [&](std::size_t i) {
+        const rhi::CpuCounts &all = found[i].rebuild, &frame = found[i].per_frame;
+        return static_cast<double>(all.samples + all.fetches) - static_cast<double>(frame.samples + frame.fetches) +
+               2.4 * (static_cast<double>(all.evaluations) - static_cast<double>(frame.evaluations));
+    };
+    const detail::TableWork earth = detail::table_work(*model, subjects[0].air);
+    for (std::size_t i = 1; i < subjects.size(); ++i) {
+        CAPTURE(subjects[i].label);
+        const detail::TableWork work = detail::table_work(*model, subjects[i].air);
+        const auto ratio = [&](std::uint64_t a, std::uint64_t b) { return static_cast<double>(a) / static_cast<double>(b); };
+        if (subjects[i].label != "us_standard_1976")  // look-ups of a profile are many, and cheap
+            CHECK(work.rebuild / earth.rebuild == doctest::Approx(reads(i) / reads(0)).epsilon(0.15).scale(1e-300));
+        CHECK(work.air_memory / earth.air_memory ==
+              doctest::Approx(ratio(found[i].air_bytes, found[0].air_bytes)).epsilon(0.02).scale(1e-300));
+    }
+}
+
+TEST_CASE("costs: features are told apart: a second sun, and shadows where the model has them") {
+    const auto backend = open_backend({.name = "cpu"});
+    CostOptions options = quick();
+    options.features = true;
+    options.rounds = 3;
+    const std::vector<CostSubject> subjects{{"low", presets::earth(), models::aureole(QualitySettings::low())},
+                                            {"fog", presets::earth(), model_by_name("fog")}};
+    const std::vector<Cost> found = costs(*backend, subjects, options);
+    CHECK(found[0].composite_two_suns_ms.median > 0);
+    CHECK(found[0].shadows_ms.median > 0);
+    CHECK(found[0].composite_shadows_ms.median > 0);
+    CHECK(found[0].shadow_bytes > 0);
+    CHECK(found[1].composite_two_suns_ms.median > 0);
+    CHECK(found[1].shadows_ms.median == 0);
+    CHECK(found[1].composite_shadows_ms.median == 0);
+    CHECK(found[1].shadow_bytes == 0);
+    options.features = false;
+    const Cost plain = costs(*backend, {&subjects[0], 1}, options).at(0);
+    CHECK(plain.shadows_ms.median == 0);
+    CHECK(plain.table_bytes == found[0].table_bytes);
+    CHECK(plain.per_frame.evaluations == found[0].per_frame.evaluations);
 }
 
 TEST_CASE("costs: errors name the subject") {

@@ -1,5 +1,6 @@
 #include "measure/fit.h"
 
+#include "app/fnv.h"
 #include "app/quantile.h"
 #include "plan/predict.h"
 
@@ -120,11 +121,30 @@ const Priced* cheapest_within(const std::vector<Priced>& settings, double tolera
     return best;
 }
 
-/// FNV-1a.
-std::uint32_t hash_of(const std::string& text, std::uint32_t seed) {
-    std::uint32_t hash = 2166136261U ^ (seed * 2654435761U);
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
-    return hash ^ hash >> 15;
+/// An error beside what was measured.
+struct Foretold {
+    double excess, off;  // Coverage::Of
+};
+
+Coverage::Of summary_of(const std::vector<Foretold>& list) {
+    if (list.empty()) return {};
+    std::vector<double> excess, off;
+    for (const Foretold& one : list) {
+        excess.push_back(one.excess);
+        off.push_back(one.off);
+    }
+    std::ranges::sort(excess);
+    std::ranges::sort(off);
+    const auto below = std::ranges::count_if(excess, [](double e) { return e >= 1; });
+    return {list.size(), static_cast<double>(below) / static_cast<double>(list.size()), quantile(excess, 0.5),
+            quantile(off, 0.5)};
+}
+
+std::uint64_t hash_of(const std::string& text, std::uint32_t seed) {
+    Fnv1a hash;
+    hash.add(seed);
+    hash.add(text);
+    return hash.value() ^ hash.value() >> 32;
 }
 
 }  // namespace
@@ -167,8 +187,8 @@ Coverage coverage(const MeasuredSkies& skies, const std::vector<std::size_t>& he
     fit(fitted, seen);
     detail::Predictor predictor(fitted, seen);
     Coverage result;
-    std::vector<double> excess, off;
-    std::size_t below = 0, kept = 0;
+    std::vector<Foretold> of_sky, of_geometry;
+    std::size_t kept = 0;
     for (const std::size_t i : held_out) {
         std::vector<Priced> sky;
         for (const MeasuredSetting& setting : fitted.settings)
@@ -177,9 +197,8 @@ Coverage coverage(const MeasuredSkies& skies, const std::vector<std::size_t>& he
                 const auto predicted = predictor.predict(*error, skies.scenes[i].situation);
                 if (!predicted) continue;
                 const double measured = std::exp(error->by_scene[i] / 1000.0);
-                excess.push_back(predicted->bound / measured);
-                off.push_back(std::abs(std::log(predicted->likely / measured)));
-                if (excess.back() >= 1) ++below;
+                (error == &setting.sky_p95 ? of_sky : of_geometry)
+                    .push_back({predicted->bound / measured, std::abs(std::log(predicted->likely / measured))});
                 const detail::MeasuredCost& cost = setting.by_air[skies.scenes[i].air];
                 if (error == &setting.sky_p95 && cost.air_mib > 0)
                     sky.push_back({cost.composite_ms + cost.view_ms, predicted->bound, measured});
@@ -190,13 +209,10 @@ Coverage coverage(const MeasuredSkies& skies, const std::vector<std::size_t>& he
                 if (chosen->measured <= tolerance) ++kept;
             }
     }
-    if (excess.empty()) return {};
-    std::ranges::sort(excess);
-    std::ranges::sort(off);
-    result.predictions = excess.size();
-    result.below_bound = static_cast<double>(below) / static_cast<double>(excess.size());
-    result.median_excess = quantile(excess, 0.5);
-    result.median_off = quantile(off, 0.5);
+    result.sky = summary_of(of_sky);
+    result.geometry = summary_of(of_geometry);
+    of_sky.insert(of_sky.end(), of_geometry.begin(), of_geometry.end());
+    result.all = summary_of(of_sky);
     if (result.choices > 0) result.choices_kept = static_cast<double>(kept) / static_cast<double>(result.choices);
     return result;
 }

@@ -13,7 +13,7 @@ namespace aureole::app {
 
 /// The scenes of measurements (docs/measure.md) in red, green and blue, or those in wavelengths, with the settings that were
 /// measured in them; not fitted. Of a setting and scene that occur twice the later counts. Throws Error(invalid_argument)
-/// naming what a file lacks ("measured without costs"), or what its `parts` are not.
+/// naming what a file lacks, or where none was measured with costs: what one air costs is known by its work from others.
 [[nodiscard]] detail::MeasuredSkies gather(std::span<const nlohmann::json> measurements, bool wavelengths);
 
 /// Finds `lengths`, `spread` and `margin` from these scenes alone (empty: all): lengths by the pseudo-likelihood of each scene
@@ -25,10 +25,13 @@ void fit(detail::MeasuredSkies& skies, const std::vector<std::size_t>& scenes = 
 
 /// How predictions hold on scenes that the fit has not seen.
 struct Coverage {
-    std::size_t predictions = 0;
-    double below_bound = 0;    ///< Share of measured p95 that lies at or below the bound.
-    double median_excess = 0;  ///< Median of bound / measured p95.
-    double median_off = 0;     ///< Median of |ln(likely / measured)|.
+    struct Of {
+        std::size_t predictions = 0;
+        double below_bound = 0;    ///< Share of measured p95 that lies at or below the bound.
+        double median_excess = 0;  ///< Median of bound / measured p95.
+        double median_off = 0;     ///< Median of |ln(likely / measured)|.
+    };
+    Of all, sky, geometry;
     /// Choices of the cheapest setting whose bound is within a tolerance (0.5 to 20 %), of the sky, in each of those scenes;
     /// and the share of them that keep it. Less than below_bound: of many settings the one is taken whose bound is lowest.
     std::size_t choices = 0;

@@ -51,17 +51,23 @@ json measured() {
     result("b", "aureole default, without ozone", {{"all", figures(0.01, 0.02)}, {"aerial", {{"rows", 0}}}});
     result("c", "aureole default 4", {{"all", figures(0.001, 0.002)}});
     result("a", "reference default", {{"all", figures(0, 0)}});
-    out["costs"].push_back({{"air", "earth"},
-                            {"setting", "fog default"},
-                            {"per_frame_ms", spread(10)},
-                            {"composite_ms", spread(7)},
-                            {"composite_geometry_ms", spread(9)},
-                            {"aerial_perspective_ms", spread(1)},
-                            {"light_ms", spread(0.5)},
-                            {"rebuild_ms", spread(8)},
-                            {"bytes", 3 * 1048576},
-                            {"air_bytes", 1048576},
-                            {"aerial_perspective_bytes", 524288}});
+    out["costs"].push_back(
+        {{"air", "earth"},
+         {"setting", "fog default"},
+         {"work", {{"rebuild", 2e6}, {"view", 15}, {"air_memory", 3}, {"view_memory", 2}, {"aerial_perspective_memory", 4}}},
+         {"per_frame_ms", spread(10)},
+         {"composite_ms", spread(7)},
+         {"composite_geometry_ms", spread(9)},
+         {"aerial_perspective_ms", spread(1)},
+         {"light_ms", spread(0.5)},
+         {"composite_two_suns_ms", spread(11)},
+         {"shadows_ms", spread(3)},
+         {"composite_shadows_ms", spread(9.5)},
+         {"rebuild_ms", spread(8)},
+         {"shadow_bytes", 262144},
+         {"bytes", 3 * 1048576},
+         {"air_bytes", 1048576},
+         {"aerial_perspective_bytes", 524288}});
     return out;
 }
 
@@ -111,6 +117,11 @@ TEST_CASE("gather: scenes by their colours, settings with what is known of them,
     CHECK(cost.air_mib == 1);
     CHECK(cost.aerial_perspective_mib == 0.5);
     CHECK(cost.view_mib == 1.5);
+    CHECK(cost.composite_sun_ms == 4);
+    CHECK(cost.shadows_ms == 3);
+    CHECK(cost.composite_shadows_ms == 0.5);
+    CHECK(cost.shadows_mib == 0.25);
+    CHECK(cost.work == detail::TableWork{2e6, 15, 3, 2, 4});
     REQUIRE(wavelengths.scenes.size() == 1);
     REQUIRE(wavelengths.settings.size() == 1);
     CHECK(wavelengths.settings[0].setting.spectral == "4");
@@ -131,6 +142,7 @@ TEST_CASE("gather: of what was measured twice the later counts; what is incomple
     json without_costs = measured();
     without_costs.erase("costs");
     CHECK(contains(complaint([&] { (void)gather({&without_costs, 1}, false); }), "measured without costs"));
+    CHECK(gather(std::vector<json>{before, without_costs}, false).settings[0].by_air.at(0).composite_ms == 7);
     json broken = measured();
     broken["results"][0].erase("regions");
     CHECK(contains(complaint([&] { (void)gather({&broken, 1}, false); }), "what `aureole measure` writes"));
@@ -147,10 +159,10 @@ TEST_CASE("fit: finds along which axes a field changes, and bounds that hold") {
     CHECK(skies.margin > 0.5);
     CHECK(skies.margin < 6);
     const Coverage found = coverage(skies, drawn_third(skies, 3));
-    CHECK(found.predictions == 40);  // 20 scenes, sky and geometry
-    CHECK(found.below_bound >= 0.9);
-    CHECK(found.median_excess < 1.5);
-    CHECK(found.median_off < 0.1);
+    CHECK(found.all.predictions == 40);  // 20 scenes, sky and geometry
+    CHECK(found.all.below_bound >= 0.9);
+    CHECK(found.all.median_excess < 1.5);
+    CHECK(found.all.median_off < 0.1);
 }
 
 TEST_CASE("fit: a third is drawn by seed and name alone") {
@@ -170,12 +182,13 @@ TEST_CASE("fit: what the library ships covers scenes that it was not fitted to")
     constexpr std::uint32_t seeds = 4;
     for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
         const Coverage found = coverage(skies, drawn_third(skies, seed));
-        MESSAGE("seed ", seed, ": ", found.predictions, " predictions, ", found.below_bound, " below their bound, which is ",
-                found.median_excess, " times what was measured; of ", found.choices, " choices ", found.choices_kept, " keep");
-        CHECK(found.below_bound >= 0.9);
-        predictions += static_cast<double>(found.predictions);
-        below += found.below_bound * static_cast<double>(found.predictions);
-        excess += found.median_excess / seeds;
+        MESSAGE("seed ", seed, ": ", found.all.predictions, " predictions, ", found.all.below_bound,
+                " below their bound, which is ", found.all.median_excess, " times what was measured; of ", found.choices,
+                " choices ", found.choices_kept, " keep");
+        CHECK(found.all.below_bound >= 0.9);
+        predictions += static_cast<double>(found.all.predictions);
+        below += found.all.below_bound * static_cast<double>(found.all.predictions);
+        excess += found.all.median_excess / seeds;
         choices += static_cast<double>(found.choices);
         kept += found.choices_kept * static_cast<double>(found.choices);
     }

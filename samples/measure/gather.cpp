@@ -38,23 +38,19 @@ public:
     explicit Gathering(bool wavelengths) : wavelengths_(wavelengths) {}
 
     void add(const json& measured) {
-        if (!measured.contains("costs"))
-            throw Error(ErrorCode::invalid_argument, "measurements", "measured without costs", "measured with them");
-        const std::string device = measured.at("cost_device");
-        if (!skies_.device.empty() && device != skies_.device)
-            throw Error(ErrorCode::invalid_argument, "measurements", "costs of " + device,
-                        "those of one device, " + skies_.device);
-        skies_.device = device;
         scenes_.clear();
         std::map<std::string, json> settings;
         for (const json& setting : measured.at("settings")) settings[setting.at("id")] = setting;
         for (const json& scene : measured.at("scenes")) add_scene(scene);
         for (const json& result : measured.at("results"))
             if (scenes_.contains(result.at("scene"))) add_result(result, settings.at(result.at("setting")));
-        for (const json& cost : measured.at("costs")) add_cost(cost);
+        if (measured.contains("costs")) add_costs(measured);
     }
 
     MeasuredSkies finish() {
+        if (skies_.device.empty())
+            throw Error(ErrorCode::invalid_argument, "measurements", "measured without costs",
+                        "at least one measured with them");
         for (MeasuredSetting& setting : skies_.settings) {
             for (MeasuredError* error : {&setting.sky_median, &setting.sky_p95, &setting.aerial_p95})
                 grow(*error, skies_.scenes.size());
@@ -101,6 +97,15 @@ private:
         keep(setting.aerial_p95, "aerial", "p95");
     }
 
+    void add_costs(const json& measured) {
+        const std::string device = measured.at("cost_device");
+        if (!skies_.device.empty() && device != skies_.device)
+            throw Error(ErrorCode::invalid_argument, "measurements", "costs of " + device,
+                        "those of one device, " + skies_.device);
+        skies_.device = device;
+        for (const json& cost : measured.at("costs")) add_cost(cost);
+    }
+
     void add_cost(const json& cost) {
         const auto air = std::ranges::find(skies_.airs, cost.at("air").get<std::string>());
         const auto setting = std::ranges::find_if(
@@ -111,15 +116,22 @@ private:
         const auto median = [&](const char* name) { return cost.at(name).at("median").get<double>(); };
         const double views = std::max(median("per_frame_ms") - median("composite_ms"), 0.0);
         MeasuredCost& kept = setting->by_air[i];
+        const auto work = [&](const char* name) { return cost.at("work").at(name).get<double>(); };
+        kept.work = {work("rebuild"), work("view"), work("air_memory"), work("view_memory"), work("aerial_perspective_memory")};
         kept.composite_ms = median("composite_ms");
         kept.composite_geometry_ms = median("composite_geometry_ms");
         kept.aerial_perspective_ms = median("aerial_perspective_ms");
         kept.light_ms = median("light_ms");
         kept.view_ms = std::max(views - kept.aerial_perspective_ms - kept.light_ms, 0.0);
         kept.rebuild_ms = std::max(median("rebuild_ms") - views, 0.0);
+        const auto more = [&](const char* name, const char* than) { return std::max(median(name) - median(than), 0.0); };
+        kept.composite_sun_ms = more("composite_two_suns_ms", "composite_ms");
+        kept.shadows_ms = median("shadows_ms");
+        kept.composite_shadows_ms = more("composite_shadows_ms", "composite_geometry_ms");
         const auto mebibytes = [&](const char* name) { return cost.at(name).get<double>() / 1048576; };
         kept.air_mib = std::max(mebibytes("air_bytes"), least_mib);
         kept.aerial_perspective_mib = mebibytes("aerial_perspective_bytes");
+        kept.shadows_mib = mebibytes("shadow_bytes");
         kept.view_mib = std::max(mebibytes("bytes") - mebibytes("air_bytes") - kept.aerial_perspective_mib, 0.0);
     }
 

@@ -81,10 +81,10 @@ std::optional<LightTruth> trace_light(Backend& backend, const AtmosphereParamete
     const auto draw = [&](std::uint64_t round, std::span<const std::size_t>, std::span<Rgb> values) {
         models::ReferenceSettings reference;
         reference.light_paths = light_round_paths;
-        reference.seed = nth_seed(settings, round);
         values[0] = truth.sun_irradiance = Rgb(0);
         for (std::size_t air = 0; air < colours.airs().size(); ++air) {
             if (stop && stop()) return false;
+            reference.seed = nth_seed(settings, round, air);
             const auto traced = solved(backend, colours.airs()[air], models::reference(reference));
             const MeasuredLight seen = LightEye(backend, *traced).see(place);
             values[0] += colours.part(air, seen.sky_irradiance_up);
@@ -92,7 +92,8 @@ std::optional<LightTruth> trace_light(Backend& backend, const AtmosphereParamete
         }
         return true;
     };
-    const std::uint64_t most = std::min<std::uint64_t>(settings.max_paths / light_round_paths, seeds_of_one);
+    const std::uint64_t most = std::min<std::uint64_t>(settings.max_paths / light_round_paths,
+                                                       colours.airs().size() > 1 ? seeds_of_air : seeds_of_one);
     const auto sampled = sample(1, settings.error, most, draw, progress);
     if (!sampled) return std::nullopt;
     backend.check();

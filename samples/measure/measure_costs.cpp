@@ -1,6 +1,7 @@
 #include "measure/cost.h"
 #include "measure/kept.h"
 #include "measure/measure.h"
+#include "plan/work.h"
 
 #include <aureole/rhi/error.h>
 
@@ -14,18 +15,31 @@ json to_json(const rhi::CpuCounts& c) {
     return {{"medium_evaluations", c.evaluations}, {"fetches", c.samples + c.fetches}, {"bytes_written", c.bytes}};
 }
 
-json to_json(const std::string& air, const std::string& setting, const Cost& cost) {
+json to_json(const detail::TableWork& w) {
+    return {{"rebuild", w.rebuild},
+            {"view", w.view},
+            {"air_memory", w.air_memory},
+            {"view_memory", w.view_memory},
+            {"aerial_perspective_memory", w.aerial_perspective_memory}};
+}
+
+json to_json(const std::string& air, const CostSubject& subject, const Cost& cost) {
     return {{"air", air},
-            {"setting", setting},
+            {"setting", subject.label},
+            {"work", to_json(detail::table_work(*subject.model, subject.air))},
             {"per_frame_ms", to_json(cost.per_frame_ms)},
             {"rebuild_ms", to_json(cost.rebuild_ms)},
             {"composite_ms", to_json(cost.composite_ms)},
             {"composite_geometry_ms", to_json(cost.composite_geometry_ms)},
             {"aerial_perspective_ms", to_json(cost.aerial_perspective_ms)},
             {"light_ms", to_json(cost.light_ms)},
+            {"composite_two_suns_ms", to_json(cost.composite_two_suns_ms)},
+            {"shadows_ms", to_json(cost.shadows_ms)},
+            {"composite_shadows_ms", to_json(cost.composite_shadows_ms)},
             {"bytes", cost.table_bytes},
             {"air_bytes", cost.air_bytes},
             {"aerial_perspective_bytes", cost.aerial_perspective_bytes},
+            {"shadow_bytes", cost.shadow_bytes},
             {"per_frame", to_json(cost.per_frame)},
             {"rebuild", to_json(cost.rebuild)}};
 }
@@ -93,7 +107,7 @@ json measure_costs(const Suite& suite, const MeasureOptions& options, Backend& r
         const std::filesystem::path folder = options.out / "items" / air.name;
         const json results = kept_or(folder / "costs.json", key, [&] {
             KeptRounds kept(folder / "cost_rounds.json", key);
-            CostOptions wanted{.rounds = options.cost_rounds};
+            CostOptions wanted{.rounds = options.cost_rounds, .features = true};
             wanted.known = kept.known();
             wanted.after_measured = [&](const CostRound& round) { kept.add(round); };
             std::size_t done = wanted.known.size();
@@ -101,7 +115,7 @@ json measure_costs(const Suite& suite, const MeasureOptions& options, Backend& r
                 run, subjects, wanted, [&] { after_round(i * rounds + std::min(++done, rounds), suite.airs.size() * rounds); });
             kept.remove();
             json out = json::array();
-            for (std::size_t k = 0; k < measured.size(); ++k) out.push_back(to_json(air.name, subjects[k].label, measured[k]));
+            for (std::size_t k = 0; k < measured.size(); ++k) out.push_back(to_json(air.name, subjects[k], measured[k]));
             return out;
         });
         for (const json& one : results) all.push_back(one);

@@ -56,8 +56,16 @@ std::string print(const MeasuredCost& cost) {
                              cost.rebuild_ms,
                              cost.air_mib,
                              cost.view_mib,
-                             cost.aerial_perspective_mib};
-    return braced(values, ", ", rounded);
+                             cost.aerial_perspective_mib,
+                             cost.composite_sun_ms,
+                             cost.shadows_ms,
+                             cost.composite_shadows_ms,
+                             cost.shadows_mib};
+    const detail::TableWork& w = cost.work;
+    const double work[] = {w.rebuild, w.view, w.air_memory, w.view_memory, w.aerial_perspective_memory};
+    std::string text = braced(values, ", ", rounded);
+    text.pop_back();
+    return text + ", " + braced(work, ", ", exact) + "}";
 }
 
 std::string print(const MeasuredSetting& measured) {

@@ -1,5 +1,6 @@
 #include "measure/truth.h"
 
+#include "app/fnv.h"
 #include "io/csv.h"
 #include "io/file.h"
 #include "measure/points.h"
@@ -121,14 +122,11 @@ AirTruth read_truth(const Suite& suite, std::size_t air) {
 }
 
 std::uint64_t fingerprint(std::span<const TrueValue> values) {
-    std::uint64_t hash = 0xcbf29ce484222325;
+    Fnv1a hash;
     for (const TrueValue& value : values)
         for (const Rgb& part : {value.value, value.error})
-            for (int c = 0; c < 3; ++c) {
-                const auto bits = std::bit_cast<std::uint64_t>(part[c]);
-                for (int shift = 0; shift < 64; shift += 8) hash = (hash ^ (bits >> shift & 0xff)) * 0x100000001b3;
-            }
-    return hash;
+            for (int c = 0; c < 3; ++c) hash.add(std::bit_cast<std::uint64_t>(part[c]));
+    return hash.value();
 }
 
 std::filesystem::path truth_file(const Suite& suite, const SuiteAir& air, TruthKind kind) {

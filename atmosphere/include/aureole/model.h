@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace aureole {
 
@@ -19,6 +20,14 @@ namespace detail {
 struct AirResources;
 class ModelAir;
 }  // namespace detail
+
+/// A table that a model keeps, as its settings have it.
+struct ModelTable {
+    std::string name;      ///< "transmittance table", "multi-scatter table", "sky-view table", "froxels" ...
+    rhi::Extent size{};    ///< Nodes on its axes; in `layers` a texture may have more rows.
+    rhi::Format format{};  ///< Where the device can filter it.
+    std::string samples;   ///< What each texel is made of: "8 nodes a ray".
+};
 
 /// A model with its settings: does not change, and may be shared by any number of atmospheres.
 class Model {
@@ -29,6 +38,8 @@ public:
     [[nodiscard]] virtual const QualitySettings& quality() const noexcept = 0;
     /// The settings that this air gets: a model may leave out what would make no difference.
     [[nodiscard]] virtual QualitySettings quality_for(const AtmosphereParameters& /*parameters*/) const { return quality(); }
+    /// The tables of this air and of a view, from the air to the camera; empty of a model without any.
+    [[nodiscard]] virtual std::vector<ModelTable> tables_for(const AtmosphereParameters& /*parameters*/) const { return {}; }
     /// Throws Error(invalid_argument) at the first setting outside its range.
     virtual void validate() const = 0;
     /// Throws Error(unsupported) naming what the model needs and the device lacks.

@@ -49,13 +49,14 @@ struct PlanRequirements {
     double geometry_range_m = 96000;             ///< How far away geometry may be: of the view's froxels;
                                                  ///< errors were measured at 1 to 100 km. In [1e-3, 1e13].
     bool shadows = false;                        ///< The host's shadow map darkens the air (ViewSettings::shadows, which
-                                                 ///< the host sets). What that costs is in no figure of the plan.
+                                                 ///< the host sets): of one sun, and charged at the default size. What
+                                                 ///< shadows err by is in no figure of the plan (shadows.md).
     bool light = true;                           ///< Sun colour and sky irradiance for the host's own materials are needed.
-    std::uint32_t suns = 1;                      ///< Tables are charged for each, composites as for one. In [1, 4].
+    std::uint32_t suns = 1;                      ///< Tables are charged for each, and composites grow with them. In [1, 4].
     std::uint32_t views = 1;                     ///< Cameras that are drawn each frame. In [1, 64].
     std::uint32_t width = 1280, height = 720;    ///< Pixels of a view. Each in [1, 65536].
     /// Colours must be those of wavelengths, as the eye sees them, not those of a red, a green and a blue light: the truth that
-    /// errors are against. Error(unsupported) while the library has no measurements of such scenes.
+    /// errors are against. Measured of Earth's air alone, clear and hazy.
     bool wavelengths = false;
     /// Share of frames in which the tables of the air are made anew, because it has changed or another plan has been taken. As
     /// it is, once a minute at 60 frames a second: what takes seconds must save something. In [0, 1].

@@ -32,6 +32,9 @@ struct FollowSettings {
     /// Of Atmosphere::set_multi_scatter_passes_per_frame, in [0, 64]. A new sky's first tables are spread, too, of a model
     /// that takes seconds for them: the old one is shown meanwhile. The very first sky's are made at once. 0: all at once.
     int passes_per_frame = 1;
+    /// Of every view, where PlanRequirements::shadows asks for them: cascades in [1, 4], the rest as ViewSettings::shadows.
+    /// Else of no effect.
+    ShadowSettings shadows{.cascades = 1};
 };
 
 /// Something that another plan does otherwise.
@@ -61,8 +64,8 @@ public:
 
     /// The ranges of `needs` are those of the whole scene; each plan is for the part around sun and camera. The first plan is
     /// made by the first update(). `composite`: of every view. Throws as plan() does, and as View does for `composite`. Not for
-    /// PlanRequirements::shadows, Error(unsupported); nor for several views, or CompositeSettings::scene_depth without
-    /// geometry. Budgets are for one sky: during a fade there are two, and two pictures for each target.
+    /// several views, or CompositeSettings::scene_depth without geometry. Budgets are for one sky: during a fade there are two,
+    /// and two pictures for each target.
     PlannedSky(rhi::Device& device, const PlanRequirements& needs, const CompositeSettings& composite = {},
                const FollowSettings& follow = {});
     ~PlannedSky();
@@ -80,6 +83,10 @@ public:
     /// Atmosphere::set_parameters. Throws as plan() does, and then nothing has changed.
     void set_air(const AtmosphereParameters& air);
     void set_exposure(double exposure);
+    /// As View::set_shadow_map, where PlanRequirements::shadows. Before the first update() there is no view to check a
+    /// texture's use: such an error comes from there. If the device refuses during a fade, one of the two skies may have taken
+    /// it: what was set before, and this, must live until another one is set.
+    void set_shadow_map(const ShadowMap& map);
     void set_frame(std::uint64_t frame) noexcept;  ///< As Atmosphere's.
 
     /// As View's, but at most max_targets, which stay until they are released: before they are destroyed. Also makes two

@@ -36,6 +36,22 @@ public:
         result.multi_scatter_azimuth = std::max(result.multi_scatter_azimuth, result.angular_order + 2);
         return result;
     }
+    [[nodiscard]] std::vector<ModelTable> tables_for(const AtmosphereParameters& parameters) const override {
+        const QualitySettings q = quality_for(parameters);
+        const auto count = [](int value) { return std::to_string(value); };
+        std::vector<ModelTable> tables{
+            {"transmittance table", q.transmittance, q.table_format, count(q.transmittance_nodes) + " nodes a ray"}};
+        if (q.multi_scatter_orders > 0)
+            tables.push_back({"multi-scatter table", q.multi_scatter, rhi::Format::rgba32_float,
+                              "moments to order " + count(q.angular_order) + ", " +
+                                  count(passes_for(order_ratio(parameters, q.ground_light), q.multi_scatter_orders)) +
+                                  " passes, " + count(2 * q.multi_scatter_zenith * q.multi_scatter_azimuth) + " rays of " +
+                                  count(q.multi_scatter_nodes) + " and " + count(q.multi_scatter_later_nodes) + " nodes"});
+        tables.push_back({"sky-view table", q.sky_view, q.table_format, count(q.sky_view_nodes) + " nodes a segment"});
+        tables.push_back(
+            {"froxels", q.aerial_perspective, q.froxel_format, count(q.aerial_perspective_nodes) + " slabs a slice"});
+        return tables;
+    }
     void validate() const override { aureole::validate(quality_); }
     [[nodiscard]] bool by_tables() const noexcept override { return true; }
     void require(const rhi::Device& device) const override { require_tables(device, quality_); }

@@ -60,6 +60,7 @@ public:
     }
     [[nodiscard]] std::string_view name() const noexcept override { return "bruneton"; }
     [[nodiscard]] const QualitySettings& quality() const noexcept override { return quality_; }
+    [[nodiscard]] std::vector<ModelTable> tables_for(const AtmosphereParameters&) const override;
     void validate() const override { models::validate(settings_); }
     [[nodiscard]] bool by_tables() const noexcept override { return true; }
     void require(const rhi::Device& device) const override {
@@ -87,6 +88,21 @@ private:
     BrunetonSettings settings_;
     QualitySettings quality_;
 };
+
+std::vector<ModelTable> BrunetonModel::tables_for(const AtmosphereParameters&) const {
+    const BrunetonSettings& s = settings_;
+    const auto count = [](int value) { return std::to_string(value); };
+    const rhi::Extent scattering{static_cast<std::uint32_t>(s.nu_nodes * s.sun_nodes), static_cast<std::uint32_t>(s.view_nodes),
+                                 static_cast<std::uint32_t>(s.altitude_nodes)};
+    const bool gauss = s.sampling == models::BrunetonSampling::gauss;
+    return {{"transmittance table", s.transmittance, quality_.table_format, count(s.transmittance_nodes) + " nodes a ray"},
+            {"irradiance table", s.irradiance, rhi::Format::rgba32_float, "of the sky, all orders"},
+            {"scattering table", scattering, s.format,
+             count(s.orders) + " orders, " +
+                 (gauss ? count(s.ray_nodes) + " nodes a piece of ray, " + count(2 * s.zenith_nodes * s.azimuth_nodes) +
+                              " directions"
+                        : "50 steps a ray, 512 directions")}};
+}
 
 /// `A` of the sun's axis (bruneton.glsl): how long the ray from the ground towards the lowest sun is.
 double longest_sun_ray(const Planet& planet, double lowest_sun_deg) {

@@ -19,6 +19,7 @@ public:
     explicit HillaireModel(const models::HillaireSettings& settings) : settings_(settings) { HillaireModel::validate(); }
     [[nodiscard]] std::string_view name() const noexcept override { return "hillaire"; }
     [[nodiscard]] const QualitySettings& quality() const noexcept override { return unused_; }
+    [[nodiscard]] std::vector<ModelTable> tables_for(const AtmosphereParameters&) const override;
     void validate() const override { models::validate(settings_); }
     [[nodiscard]] bool by_tables() const noexcept override { return settings_.fast_sky && settings_.fast_aerial_perspective; }
     void require(const rhi::Device& device) const override;
@@ -30,6 +31,19 @@ private:
     models::HillaireSettings settings_;
     QualitySettings unused_;
 };
+
+std::vector<ModelTable> HillaireModel::tables_for(const AtmosphereParameters&) const {
+    const models::HillaireSettings& s = settings_;
+    const auto steps = [](int count, const char* of) { return std::to_string(count) + " steps " + of; };
+    std::vector<ModelTable> tables{
+        {"transmittance table", s.transmittance, s.table_format, steps(s.transmittance_steps, "a ray")},
+        {"multi-scatter table", s.multi_scatter, s.table_format,
+         "64 rays of " + std::to_string(s.multi_scatter_steps) + " steps"}};
+    tables.push_back({"sky-view table", s.sky_view, s.table_format,
+                      steps(s.sky_view_steps, s.fast_sky ? "a ray" : "a ray; for light alone, pixels march")});
+    if (s.fast_aerial_perspective) tables.push_back({"froxels", s.aerial_perspective, s.froxel_format, "two steps a slice"});
+    return tables;
+}
 
 void HillaireModel::require(const rhi::Device& device) const {
     const rhi::Capabilities& capabilities = device.capabilities();

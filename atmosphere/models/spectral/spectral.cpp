@@ -78,6 +78,12 @@ public:
     [[nodiscard]] QualitySettings quality_for(const AtmosphereParameters& parameters) const override {
         return inner_->quality_for(parameters);
     }
+    [[nodiscard]] std::vector<ModelTable> tables_for(const AtmosphereParameters& parameters) const override {
+        std::vector<ModelTable> tables = inner_->tables_for(parameters);
+        const std::size_t triplets = spectrum::triplets(settings_.wavelengths).size();
+        for (ModelTable& table : tables) table.samples += ", " + std::to_string(triplets) + " times: three wavelengths each";
+        return tables;
+    }
     void validate() const override {
         if (!inner_) reject("spectral.inner", "null", "a model");
         if (dynamic_cast<const SpectralModel*>(inner_.get()) != nullptr)

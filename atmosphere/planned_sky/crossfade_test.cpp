@@ -61,9 +61,8 @@ TEST_CASE("crossfade: each texel goes from what it was to what it will be, and e
             const Image half = fading.at(0.25);
             for (std::size_t i = 0; i < half.texels.size(); ++i)
                 for (int c = 0; c < 4; ++c)
-                    CHECK(half.texels[i][c] == doctest::Approx(0.75 * before.texels[i][c] + 0.25 * after.texels[i][c])
-                                                   .epsilon(1e-6)
-                                                   .scale(1e-300));
+                    CHECK(half.texels[i][c] ==
+                          doctest::Approx(0.75 * before.texels[i][c] + 0.25 * after.texels[i][c]).epsilon(1e-6).scale(1e-300));
         }
     }
 }

@@ -11,7 +11,7 @@ namespace {
 // What a node along a ray takes besides its moments, in moments: measured on llvmpipe, where qualities whose moments go from 1
 // to 45 then take the same time a unit, within 15 % (plan.md).
 constexpr double node_of_air = 4, node_of_view = 9.5;
-constexpr double tabulated_profile = 0.6;  // more, for each
+constexpr double tabulated_profile = 1;  // more, for each
 
 double texels(const rhi::Extent& e) { return double(e.width) * e.height * e.depth; }
 

@@ -171,6 +171,53 @@ TEST_CASE("planned sky: with tables spread over frames the new sky comes, and fo
     CHECK(shown.show() == alone(*backend, shown.sky.plan(), composite, later));
 }
 
+TEST_CASE("planned sky: tables that take seconds are made behind the old sky, which is shown until they are complete" *
+          doctest::test_suite("long")) {
+    const auto backend = open_vulkan();
+    if (!backend) return;
+    // Where tables are never made anew, those of bruneton are the cheapest to look up; at dusk they are not good enough.
+    PlanRequirements needs = day_and_dusk(0.15);
+    needs.air = presets::hazy_earth();
+    needs.rebuilds_per_frame = 0;
+    const auto model_at = [&](double tolerance, double sun) {
+        PlanRequirements here = needs;
+        here.tolerance = tolerance;
+        here.sun_elevation_deg = {sun, sun};
+        return plan(here).setting.model;
+    };
+    TwoHours hours;
+    for (const double tolerance : {0.08, 0.1, 0.12, 0.15, 0.2})
+        for (const double from : {-4.0, -2.0, 1.0, 5.0})
+            if (hours.tolerance == 0 && model_at(tolerance, 40) == "bruneton" && model_at(tolerance, from) != "bruneton")
+                hours = {tolerance, from, 40};
+    REQUIRE(hours.tolerance > 0);
+    needs.tolerance = hours.tolerance;
+    const CompositeSettings composite{.target_format = rhi::Format::rgba32_float, .exposure = 10};
+    Shown shown(*backend, needs, composite, {.margin = 0.1, .fade_frames = 2, .passes_per_frame = 2});
+    shown.sky.prepare_composite(shown.targets);
+    (void)shown.update(hours.first_deg);
+    (void)shown.show();
+    const Plan before = shown.sky.plan();
+    (void)shown.update(hours.then_deg);
+    REQUIRE(shown.sky.plan().setting.model == "bruneton");
+    const Image old_sky = alone(*backend, before, composite, hours.then_deg);
+    int frames = 0;
+    for (; frames < 100; ++frames) {
+        const Image now = shown.show();
+        CHECK(now == old_sky);
+        if (shown.sky.light().after) break;
+        CHECK(shown.update(hours.then_deg).share == 0);
+    }
+    CHECK(frames >= 2);
+    CHECK(frames < 100);
+    for (int i = 0; i < 3; ++i) {
+        (void)shown.update(hours.then_deg);
+        (void)shown.show();
+    }
+    CHECK(shown.sky.light().share == 0);
+    CHECK(shown.show() == alone(*backend, shown.sky.plan(), composite, hours.then_deg));
+}
+
 TEST_CASE("planned sky: without frames to fade over the new sky is shown as soon as it is ready") {
     const auto backend = open_cpu_float();
     const TwoHours hours = two_hours();

@@ -49,12 +49,14 @@ inline TwoHours two_hours() {
 struct Shown {
     Shown(Backend& backend_in, double tolerance, bool raster, std::uint32_t frames = fade_frames, int passes = 0,
           rhi::Format format = rhi::Format::rgba32_float, double exposure = 10)
+        : Shown(backend_in, day_and_dusk(tolerance), {.target_format = format, .raster = raster, .exposure = exposure},
+                {.margin = 0.1, .fade_frames = frames, .passes_per_frame = passes}) {}
+    Shown(Backend& backend_in, const PlanRequirements& needs, const CompositeSettings& composite, const FollowSettings& follow)
         : backend(backend_in),
-          state(raster ? rhi::State::color_attachment : rhi::State::storage_write),
-          sky(backend.device(), day_and_dusk(tolerance), {.target_format = format, .raster = raster, .exposure = exposure},
-              {.margin = 0.1, .fade_frames = frames, .passes_per_frame = passes}) {
+          state(composite.raster ? rhi::State::color_attachment : rhi::State::storage_write),
+          sky(backend.device(), needs, composite, follow) {
         targets.extent = extent;
-        targets.target = backend.make_target(format, extent, state);
+        targets.target = backend.make_target(composite.target_format, extent, state);
     }
     PlanUpdate update(double sun_deg) {
         const Sun sun = sun_at(sun_deg);

@@ -306,11 +306,13 @@ def check_measure():
     fails('earth.csv lacks scenes of the suite; `aureole truth` adds them', 'measure', '--suite', tiny, *BACKEND, '-o', FOLDER / 'report')
     expect('are missing' in works('truth', tiny) and 'complete' in works('truth', tiny), 'truth says what is missing')
     first = table.read_text().splitlines()
-    works('truth', suite('[30, 10]'))
+    works('truth', suite('[30, 10]'), '--airs', 'earth')
+    fails('--airs: mars is not allowed', 'truth', suite('[30, 10]'), '--airs', 'mars')
     more = table.read_text().splitlines()
     expect(len(more) > 1.8 * len(first) - 4 and set(first) < set(more), 'truth adds what is missing and leaves the rest')
     works('truth', suite('[30]'))
-    out = works('measure', '--suite', tiny, *BACKEND, '-o', FOLDER / 'report', '--rounds', 1, '--no-html')
+    out = works('measure', '--suite', tiny, *BACKEND, '-o', FOLDER / 'report', '--rounds', 1, '--cost-size', '64x36',
+                '--no-html')
     expect('single-lut default' in out and 'median_%' in out and BACKEND[1] + ' on ' in out, f'measure says what it did: {out}')
     measured = json.loads((FOLDER / 'report/measurements.json').read_text())
     errors = {r['setting']: r['regions']['all']['median'] for r in measured['results']}
@@ -319,6 +321,8 @@ def check_measure():
     expect([c['setting'] for c in measured['costs']] == ['fog default', 'single-lut default'] and
            measured['costs'][1]['composite_ms']['median'] > 0 and measured['costs'][1]['rebuild']['medium_evaluations'] > 0 and
            measured['pictures'] == [], f'measure: costs {measured["costs"]}')
+    expect(measured['cost_size'] == [64, 36], 'measure: size of the pictures with costs')
+    fails('--cost-size: "huge"', 'measure', '--suite', tiny, *BACKEND, '--cost-size', 'huge', '-o', FOLDER / 'report')
     expect((FOLDER / 'report/tables.md').exists() and (FOLDER / 'report/results.csv').exists(), 'measure: tables')
     fails('--models', 'measure', '--suite', tiny, *BACKEND, '--models', 'aureole', '-o', FOLDER / 'report')
     fails('none.toml', 'measure', '--suite', FOLDER / 'none.toml', *BACKEND, '-o', FOLDER / 'report')

@@ -43,7 +43,7 @@ void add_model_options(CLI::App& command, ModelOptions& options);
 struct Size {
     std::uint32_t width, height;
 };
-/// "1280x720". Throws Error(invalid_argument) outside 1x1 to 16384x16384.
-[[nodiscard]] Size parse_size(const std::string& text);
+/// "1280x720". Throws Error(invalid_argument) naming `option` outside 1x1 to 16384x16384.
+[[nodiscard]] Size parse_size(const std::string& text, const std::string& option = "--size");
 
 }  // namespace aureole::app

@@ -22,6 +22,7 @@ struct MeasureCommand {
     std::filesystem::path out = "measured";
     bool no_parts = false, no_costs = false, no_pictures = false, no_html = false;
     std::uint32_t rounds = 5;
+    std::string cost_size = std::to_string(detail::measured_width) + "x" + std::to_string(detail::measured_height);
     BackendOptions backend;
 };
 
@@ -78,9 +79,12 @@ void run_measure(const MeasureCommand& command) {
     std::printf("suite %s: %zu scenes, %zu settings, on %s\n", suite.name.c_str(), suite.scenes.size(), suite.settings.size(),
                 run->describe().c_str());
     std::fflush(stdout);
+    const Size size = parse_size(command.cost_size, "--cost-size");
     const MeasureOptions options{.out = command.out,
                                  .parts = !command.no_parts,
                                  .cost_rounds = command.rounds,
+                                 .cost_width = size.width,
+                                 .cost_height = size.height,
                                  .validation = command.backend.validation};
     Progress progress(suite.airs.size() * suite.settings.size(), stderr, isatty(STDERR_FILENO) == 1);
     nlohmann::json measured =
@@ -102,6 +106,7 @@ void run_measure(const MeasureCommand& command) {
             rounds->reach(done);
         });
         measured["cost_device"] = run->describe();
+        measured["cost_size"] = {options.cost_width, options.cost_height};
     }
     run->check();
     write_all(measured, command);
@@ -130,6 +135,8 @@ void add_measure_command(CLI::App& program) {
     command->add_flag("--no-parts", options->no_parts, "Total errors alone: a third of the time");
     command->add_option("--rounds", options->rounds, "Measured rounds of the costs")
         ->check(whole_number(1, 100000))
+        ->capture_default_str();
+    command->add_option("--cost-size", options->cost_size, "WIDTHxHEIGHT of the pictures whose costs are measured")
         ->capture_default_str();
     command->add_flag("--no-costs", options->no_costs, "No costs");
     command->add_flag("--no-pictures", options->no_pictures, "No pictures of scenes that have `picture`");

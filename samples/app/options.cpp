@@ -73,7 +73,7 @@ CLI::Validator whole_number(std::uint32_t low, std::uint32_t high) {
             range};
 }
 
-Size parse_size(const std::string& text) {
+Size parse_size(const std::string& text, const std::string& option) {
     Size size{};
     const char* end = text.data() + text.size();
     const auto width = std::from_chars(text.data(), end, size.width);
@@ -82,7 +82,7 @@ Size parse_size(const std::string& text) {
                               : std::from_chars_result{text.data(), std::errc::invalid_argument};
     const auto inside = [](std::uint32_t n) { return n >= 1 && n <= 16384; };
     if (height.ec != std::errc() || height.ptr != end || !inside(size.width) || !inside(size.height))
-        throw Error(ErrorCode::invalid_argument, "--size", "\"" + text + "\"", "WIDTHxHEIGHT in pixels, each in [1, 16384]");
+        throw Error(ErrorCode::invalid_argument, option, "\"" + text + "\"", "WIDTHxHEIGHT in pixels, each in [1, 16384]");
     return size;
 }
 

@@ -25,9 +25,8 @@ struct TruthOptions {
     BackendOptions backend{.name = "cpu-double"};
 };
 
-TraceSettings settings_of(const Suite& suite, const SuiteAir& air) {
-    return {
-        .error = suite.truth_error, .max_paths = static_cast<std::uint64_t>(suite.truth_max_paths), .spectral = air.spectral};
+TraceSettings settings_of(const SuiteAir& air) {
+    return {.error = air.truth_error, .max_paths = static_cast<std::uint64_t>(air.truth_max_paths), .spectral = air.spectral};
 }
 
 void print_state(const std::filesystem::path& file, std::size_t missing, std::size_t known, const char* what) {
@@ -45,7 +44,7 @@ void complete_rows(const Suite& suite, const SuiteAir& air, TruthKind kind, std:
     const std::filesystem::path file = truth_file(suite, air, kind), checkpoint = file.string() + ".checkpoint";
     const TraceParameters parameters = truth_parameters(air);
     TruthTable table = TruthTable::read(file, parameters, kind);
-    TraceSettings settings = settings_of(suite, air);
+    TraceSettings settings = settings_of(air);
     settings.error = error;
     const std::vector<ProbeRow> rows = table.missing(wanted, {settings.error, settings.max_paths});
     print_state(file, rows.size(), table.size(), "directions");
@@ -71,7 +70,8 @@ void complete_pictures(const Suite& suite, std::size_t index, Backend& backend) 
     for (const std::size_t i : suite.scenes_of(index))
         if (suite.scenes[i].picture)
             for (const ProbeRow& row : picture_rows(suite.scenes[i])) rows.push_back(row);
-    complete_rows(suite, suite.airs[index], TruthKind::picture, rows, std::max(suite.truth_error, picture_error), backend);
+    complete_rows(suite, suite.airs[index], TruthKind::picture, rows, std::max(suite.airs[index].truth_error, picture_error),
+                  backend);
 }
 
 /// Scenes of an air that a table lacks, each traced and kept in turn.
@@ -122,7 +122,7 @@ void complete_aerial(const Suite& suite, std::size_t index, Backend& backend) {
     for (const std::size_t i : suite.scenes_of(index))
         if (suite.scenes[i].aerial) scenes.push_back(&suite.scenes[i]);
     if (scenes.empty()) return;
-    const TraceSettings settings = settings_of(suite, air);
+    const TraceSettings settings = settings_of(air);
     SceneByScene work(suite, index, TruthKind::aerial, {settings.error, settings.max_paths});
     work.complete(
         scenes,
@@ -143,7 +143,7 @@ void complete_light(const Suite& suite, std::size_t index, Backend& backend) {
     const SuiteAir& air = suite.airs[index];
     std::vector<const SuiteScene*> scenes;
     for (const std::size_t i : suite.scenes_of(index)) scenes.push_back(&suite.scenes[i]);
-    TraceSettings settings = settings_of(suite, air);
+    TraceSettings settings = settings_of(air);
     settings.error = std::max(settings.error, light_error);
     settings.max_paths = std::min(settings.max_paths, light_max_paths);
     SceneByScene work(suite, index, TruthKind::light, {settings.error, settings.max_paths});
@@ -167,7 +167,7 @@ void run_truth(const TruthOptions& options) {
     std::filesystem::create_directories(suite.truth_folder);
     const std::unique_ptr<Backend> backend = open_backend(options.backend);
     for (std::size_t i = 0; i < suite.airs.size(); ++i) {
-        complete_rows(suite, suite.airs[i], TruthKind::sky, truth_rows(suite, i), suite.truth_error, *backend);
+        complete_rows(suite, suite.airs[i], TruthKind::sky, truth_rows(suite, i), suite.airs[i].truth_error, *backend);
         complete_aerial(suite, i, *backend);
         complete_light(suite, i, *backend);
         complete_pictures(suite, i, *backend);

@@ -39,6 +39,7 @@ json setting(const std::string& model, const std::string& spectral, const json& 
 
 json measured() {
     json out{{"cost_device", "a device"},
+             {"cost_size", {detail::measured_width, detail::measured_height}},
              {"scenes", {scene("a", "rgb", 0), scene("b", "rgb", 1), scene("c", "40", 1)}},
              {"settings",
               {setting("fog", "rgb", json::array()), setting("aureole", "rgb", {"ozone"}),
@@ -136,6 +137,12 @@ TEST_CASE("gather: of what was measured twice the later counts; what is incomple
     json elsewhere = measured();
     elsewhere["cost_device"] = "another";
     CHECK(contains(complaint([&] { (void)gather(std::vector<json>{before, elsewhere}, false); }), "those of one device"));
+    json smaller = measured();
+    smaller["cost_size"][0] = detail::measured_width / 2;
+    const detail::MeasuredCost doubled = gather({&smaller, 1}, false).settings[0].by_air.at(0);
+    CHECK(doubled.composite_ms == 14);
+    CHECK(doubled.composite_sun_ms == 8);
+    CHECK(doubled.view_ms == 1.5);
     json infinite = measured();
     infinite["results"][0]["regions"]["all"]["p95"] = nullptr;
     CHECK(gather({&infinite, 1}, false).settings[0].sky_p95.by_scene[0] == MeasuredError::pack(1e9));

@@ -103,10 +103,13 @@ private:
             throw Error(ErrorCode::invalid_argument, "measurements", "costs of " + device,
                         "those of one device, " + skies_.device);
         skies_.device = device;
-        for (const json& cost : measured.at("costs")) add_cost(cost);
+        const double pixels = measured.at("cost_size").at(0).get<double>() * measured.at("cost_size").at(1).get<double>();
+        if (!(pixels >= 1)) throw Error(ErrorCode::invalid_argument, "measurements", "cost_size", "at least 1x1");
+        for (const json& cost : measured.at("costs")) add_cost(cost, detail::measured_width * detail::measured_height / pixels);
     }
 
-    void add_cost(const json& cost) {
+    /// `larger`: so many times more pixels has the picture that costs are stated for.
+    void add_cost(const json& cost, double larger) {
         const auto air = std::ranges::find(skies_.airs, cost.at("air").get<std::string>());
         const auto setting = std::ranges::find_if(
             skies_.settings, [&](const MeasuredSetting& one) { return one.setting.id() == cost.at("setting"); });
@@ -118,13 +121,15 @@ private:
         MeasuredCost& kept = setting->by_air[i];
         const auto work = [&](const char* name) { return cost.at("work").at(name).get<double>(); };
         kept.work = {work("rebuild"), work("view"), work("air_memory"), work("view_memory"), work("aerial_perspective_memory")};
-        kept.composite_ms = median("composite_ms");
-        kept.composite_geometry_ms = median("composite_geometry_ms");
+        kept.composite_ms = larger * median("composite_ms");
+        kept.composite_geometry_ms = larger * median("composite_geometry_ms");
         kept.aerial_perspective_ms = median("aerial_perspective_ms");
         kept.light_ms = median("light_ms");
         kept.view_ms = std::max(views - kept.aerial_perspective_ms - kept.light_ms, 0.0);
         kept.rebuild_ms = std::max(median("rebuild_ms") - views, 0.0);
-        const auto more = [&](const char* name, const char* than) { return std::max(median(name) - median(than), 0.0); };
+        const auto more = [&](const char* name, const char* than) {
+            return larger * std::max(median(name) - median(than), 0.0);
+        };
         kept.composite_sun_ms = more("composite_two_suns_ms", "composite_ms");
         kept.shadows_ms = median("shadows_ms");
         kept.composite_shadows_ms = more("composite_shadows_ms", "composite_geometry_ms");

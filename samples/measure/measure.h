@@ -2,6 +2,7 @@
 #pragma once
 
 #include "measure/compare.h"
+#include "plan/measured.h"
 
 #include <filesystem>
 #include <functional>
@@ -13,7 +14,9 @@ struct MeasureOptions {
     std::filesystem::path out;      ///< Folder of what is finished: a later run goes on from there.
     bool parts = true;              ///< Also split every error (Looks::exact, ::converged).
     std::uint32_t cost_rounds = 5;  ///< Of measure_costs, each after the two that warm up. At least 1.
-    bool validation = false;        ///< `run` is under a validation layer: its costs are no others' costs.
+    /// Of the pictures whose costs are measured.
+    std::uint32_t cost_width = detail::measured_width, cost_height = detail::measured_height;
+    bool validation = false;  ///< `run` is under a validation layer: its costs are no others' costs.
 };
 
 /// Runs settings x airs, each pair an item that is kept in `out`/items once it is done. `run` is what is measured, `exact` the

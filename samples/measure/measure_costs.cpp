@@ -100,6 +100,7 @@ json measure_costs(const Suite& suite, const MeasureOptions& options, Backend& r
         const std::vector<CostSubject> subjects = subjects_of(suite, air);
         json key{{"air", print_parameters(truth_parameters(air))},
                  {"device", run.describe()},
+                 {"size", {options.cost_width, options.cost_height}},
                  {"rounds", options.cost_rounds},
                  {"validation", options.validation},
                  {"build", build_stamp()}};
@@ -107,7 +108,8 @@ json measure_costs(const Suite& suite, const MeasureOptions& options, Backend& r
         const std::filesystem::path folder = options.out / "items" / air.name;
         const json results = kept_or(folder / "costs.json", key, [&] {
             KeptRounds kept(folder / "cost_rounds.json", key);
-            CostOptions wanted{.rounds = options.cost_rounds, .features = true};
+            CostOptions wanted{
+                .width = options.cost_width, .height = options.cost_height, .rounds = options.cost_rounds, .features = true};
             wanted.known = kept.known();
             wanted.after_measured = [&](const CostRound& round) { kept.add(round); };
             std::size_t done = wanted.known.size();

@@ -20,8 +20,14 @@ bool names_a_file(const std::string& name) {
            name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_") == std::string::npos;
 }
 
-SuiteAir read_air(Section section) {
-    SuiteAir air;
+void read_precision(Section& section, SuiteAir& air) {
+    air.truth_error = section.number("truth_error", {1e-4, 0.1}).value_or(air.truth_error);
+    air.truth_max_paths = section.number("truth_max_paths", {4096, 1e12}).value_or(air.truth_max_paths);
+}
+
+SuiteAir read_air(Section section, const SuiteAir& as_suite_says) {
+    SuiteAir air = as_suite_says;
+    read_precision(section, air);
     air.name = section.text("name").value_or("");
     if (!names_a_file(air.name)) section.reject("name", "\"" + air.name + "\"", "a name of letters, digits, - and _");
     air.spectral = read_spectral(section, "truth_spectral").value_or("rgb");
@@ -98,10 +104,10 @@ Suite read_root(Section root, const std::filesystem::path& path) {
     suite.name = path.stem().string();
     suite.truth_folder = path.parent_path() / "truth";
     suite.title = root.text("title").value_or(suite.name);
-    suite.truth_error = root.number("truth_error", {1e-4, 0.1}).value_or(suite.truth_error);
-    suite.truth_max_paths = root.number("truth_max_paths", {4096, 1e12}).value_or(suite.truth_max_paths);
+    SuiteAir any;
+    read_precision(root, any);
     for (const Section& section : root.sections("air")) {
-        suite.airs.push_back(read_air(section));
+        suite.airs.push_back(read_air(section, any));
         if (std::ranges::count(suite.airs, suite.airs.back().name, &SuiteAir::name) > 1)
             root.reject("air", "\"" + suite.airs.back().name + "\" twice", "each name once");
     }

@@ -16,6 +16,9 @@ struct SuiteAir {
     std::string name;  ///< Letters, digits, - and _: it names files.
     AtmosphereParameters parameters;
     std::string spectral = "rgb";  ///< Of the truth: "rgb", or a number of wavelengths.
+    // As the suite says, where the air does not say otherwise.
+    double truth_error = 0.003;        ///< Wanted standard error of each channel of the truth, relative. In [1e-4, 0.1].
+    double truth_max_paths = 1 << 20;  ///< Of a direction (in wavelengths: for each three of them). In [4096, 1e12].
 };
 
 /// An air, a sun, a place.
@@ -34,8 +37,6 @@ struct SuiteScene {
 struct Suite {
     std::string name;  ///< Of the file, without its extension.
     std::string title;
-    double truth_error = 0.003;          ///< Wanted standard error of each channel of the truth, relative. In [1e-4, 0.1].
-    double truth_max_paths = 1 << 20;    ///< Of a direction. In [4096, 1e12].
     std::filesystem::path truth_folder;  ///< Beside the suite: "truth".
     std::vector<SuiteAir> airs;
     std::vector<SuiteScene> scenes;

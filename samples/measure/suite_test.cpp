@@ -21,6 +21,7 @@ name = "earth"
 [[air]]
 name = "dry-mars"
 truth_spectral = 12
+truth_error = 0.02
 atmosphere = { preset = "mars", ground_albedo = 0.5 }
 [[scenes]]
 class = "Day"
@@ -61,7 +62,8 @@ TEST_CASE("suite: scenes are every combination, settings every model and quality
     const Suite suite = parse_suite(whole, "folder/s.toml");
     CHECK(suite.name == "s");
     CHECK(suite.title == "Two airs");
-    CHECK(suite.truth_error == 0.01);
+    CHECK(suite.airs[0].truth_error == 0.01);
+    CHECK(suite.airs[1].truth_error == 0.02);
     CHECK(suite.truth_folder == "folder/truth");
     REQUIRE(suite.airs.size() == 2);
     CHECK(suite.airs[0].parameters == presets::earth());

@@ -71,7 +71,7 @@ void check_following(Backend& backend, int per_frame, bool tabulated) {
 
 }  // namespace
 
-TEST_CASE("multi-scatter spread: air that changes in every frame is followed") {
+TEST_CASE("multi-scatter spread: air that changes in every frame is followed" * doctest::test_suite("long")) {
     for (const auto& backend : {open_cpu_float(), open_vulkan()}) {
         if (!backend) continue;
         for (const int per_frame : {1, 2, 3}) check_following(*backend, per_frame, false);

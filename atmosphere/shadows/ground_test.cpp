@@ -85,7 +85,8 @@ Seen seen(const Camera& camera, std::uint32_t column, double altitude_m, double 
 
 }  // namespace
 
-TEST_CASE("ground shadows: with hardly any air a pixel is black or as ever, at once, from near and from space") {
+TEST_CASE("ground shadows: with hardly any air a pixel is black or as ever, at once, from near and from space" *
+          doctest::test_suite("long")) {
     Backends backends;
     const auto check = [&](Backend& backend, const ModelPtr& model) {
         CAPTURE(backend.name());

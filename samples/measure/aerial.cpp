@@ -2,6 +2,7 @@
 
 #include "app/solution.h"
 #include "app/trace_eyes.h"
+#include "io/csv.h"
 #include "measure/sampling.h"
 #include "terrain/pixel_rays.h"
 
@@ -20,6 +21,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr double least_distance_km = 1e-3;  // what lies at the camera has no depth
 constexpr double most_of_the_way = 0.9;
+constexpr double vertical_fov_deg = 60, overhead_radiance = 0.06, least_cosine = 0.01;
 
 void check_view(const AerialView& view, const std::string& place) {
     check_row({view.sun_zenith_deg, view.altitude_km, 90, view.azimuth_deg}, place);
@@ -32,7 +34,7 @@ void check_views(std::span<const AerialView> views) {
 }
 
 Camera camera_of(const Planet& planet, const AerialView& view) {
-    return look(planet.bottom_radius_m, std::max(view.altitude_km, 0.0) * 1000, view.azimuth_deg * degree, 0, 60 * degree,
+    return look(planet.bottom_radius_m, std::max(view.altitude_km, 0.0) * 1000, view.azimuth_deg * degree, 0, vertical_fov_deg * degree,
                 static_cast<double>(aerial_width) / aerial_height);
 }
 
@@ -216,7 +218,17 @@ private:
 
 }  // namespace
 
-double geometry_radiance(double sun_zenith_deg) { return 0.06 * std::max(std::cos(sun_zenith_deg * degree), 0.01); }
+double geometry_radiance(double sun_zenith_deg) { return overhead_radiance * std::max(std::cos(sun_zenith_deg * degree), least_cosine); }
+
+TraceParameters aerial_parameters() {
+    return {{"pixels", std::to_string(aerial_width) + "x" + std::to_string(aerial_height)},
+            {"vertical_fov_deg", print_number(vertical_fov_deg)},
+            {"nearest_km", print_number(aerial_nearest_km)},
+            {"farthest_km", print_number(aerial_farthest_km)},
+            {"most_of_the_way_to_the_ground", print_number(most_of_the_way)},
+            {"geometry_under_overhead_sun_per_sr", print_number(overhead_radiance)},
+            {"least_cosine_of_its_sun", print_number(least_cosine)}};
+}
 
 std::vector<double> aerial_distances(const Planet& planet, const AerialView& view) {
     const PixelRays rays(camera_of(planet, view), aerial_width, aerial_height);

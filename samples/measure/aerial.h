@@ -3,6 +3,7 @@
 
 #include "app/backend.h"
 #include "app/trace.h"
+#include "app/trace_checkpoint.h"
 
 #include <aureole/atmosphere.h>
 
@@ -32,6 +33,9 @@ struct AerialView {
 /// aerial_farthest_km by the golden ratio and the pixel's number, but at most nine tenths of the way to the ground, and at
 /// least a metre.
 [[nodiscard]] std::vector<double> aerial_distances(const Planet& planet, const AerialView& view);
+
+/// What is the same for all views, by name: what a table of their pixels must say.
+[[nodiscard]] TraceParameters aerial_parameters();
 
 /// Radiance of each pixel of each view in 1/sr per unit of solar irradiance: the composite's, without the sun's disk. Froxels
 /// reach to aerial_farthest_km. Throws Error(invalid_argument) naming the view (from 1), (internal) where a value is not

@@ -44,7 +44,9 @@ std::array<double, 4> place_of(const ProbeRow& row) {
     return {row.sun_zenith_deg, row.altitude_km, row.view_zenith_deg, row.azimuth_deg};
 }
 
-std::string comment(TruthKind kind, const TraceParameters& parameters) {
+std::string comment(TruthKind kind, TraceParameters parameters) {
+    if (kind == TruthKind::aerial)
+        for (auto& parameter : aerial_parameters()) parameters.push_back(std::move(parameter));
     return std::string(of(kind).title) + print_parameters(parameters);
 }
 

@@ -8,9 +8,11 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStdIO.h>
 #include <OpenEXR/openexr.h>
 #include <algorithm>
 #include <cstdint>
+#include <fstream>
 #include <stdexcept>
 
 namespace aureole::app {
@@ -30,8 +32,8 @@ std::string height_channel(const Imf::ChannelList& channels, const std::string& 
                 "Y, R, or a single channel");
 }
 
-/// The header alone, by OpenEXR's core library, which believes no length: the C++ reader behind it makes room for as many bytes
-/// as an attribute promises, and for as many lines as the header does.
+/// The header alone, by OpenEXR's core library, which compares every length with the file's: the C++ reader behind it asks for
+/// as many bytes as an attribute promises, and for as many lines as the header does.
 Imath::Box2i data_window(const std::filesystem::path& path) {
     struct Context {
         ~Context() { exr_finish(&file); }
@@ -80,6 +82,8 @@ GreyImage read_exr_grey(const std::filesystem::path& path) {
 
 void write_exr(const std::filesystem::path& path, const LinearImage& image) {
     NewFile out(path);
+    // Ours, since OpenEXR's files swallow what goes wrong while they are closed.
+    std::ofstream stream(out.temporary(), std::ios::binary);
     try {
         Imf::Header header(static_cast<int>(image.width), static_cast<int>(image.height));
         header.compression() = Imf::ZIP_COMPRESSION;
@@ -93,13 +97,16 @@ void write_exr(const std::filesystem::path& path, const LinearImage& image) {
             buffer.insert(names[c], Imf::Slice(Imf::FLOAT, first, pixel, pixel * image.width));
         }
         {
-            Imf::OutputFile file(out.temporary().c_str(), header);
+            Imf::StdOFStream target(stream, path.c_str());
+            Imf::OutputFile file(target, header);
             file.setFrameBuffer(buffer);
             file.writePixels(static_cast<int>(image.height));
         }  // its destructor writes the table of lines
     } catch (const std::exception& problem) {
         throw Error(ErrorCode::io, path.string() + ": cannot be written: " + problem.what());
     }
+    stream.close();
+    if (!stream) throw Error(ErrorCode::io, path.string() + ": cannot be written (is the disk full?)");
     out.commit();
 }
 

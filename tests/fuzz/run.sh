@@ -29,6 +29,8 @@ for reader in "${readers[@]}"; do
         measurements | suite | scene) options+=(-max_len=16384) ;;
         *) options+=(-max_len=4096) ;;
     esac
+    # OpenEXR asks for what an attribute promises, below 2 GiB, and gives it back untouched when the file ends before that.
+    [ "$reader" != exr ] || options+=(-malloc_limit_mb=2048)
     [ ! -f "tests/fuzz/$reader.dict" ] || options+=(-dict="tests/fuzz/$reader.dict")
     echo "== $reader, $seconds s"
     if "build/fuzz/bin/fuzz_$reader" "${options[@]}" "$found" "tests/fuzz/corpus/$reader" < /dev/null > "$log" 2>&1; then

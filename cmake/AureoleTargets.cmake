@@ -13,6 +13,12 @@ if(AUREOLE_SANITIZE)
     add_link_options(-fsanitize=${AUREOLE_SANITIZE})
 endif()
 
+# What libFuzzer steers by: which branches an input takes.
+if(AUREOLE_FUZZ)
+    add_compile_options(-fsanitize=fuzzer-no-link)
+    add_link_options(-fsanitize=fuzzer-no-link)
+endif()
+
 # aureole_add_library(<name> SOURCES <file>...)
 #
 # A static library `aureole_<name>` with the alias `aureole::<name>`. Its public headers are in include/ and are installed;

@@ -19,6 +19,8 @@ template <class... F>
 struct Overload : F... {
     using F::operator()...;
 };
+template <class... F>
+Overload(F...) -> Overload<F...>;  // clang 14 deduces no aggregates
 
 constexpr double per_km = 1000;  // 1/m to 1/km
 constexpr double km = 1e-3;      // m to km

@@ -2,6 +2,7 @@
 
 #include "io/csv.h"
 #include "io/file.h"
+#include "io/json_file.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -73,7 +74,7 @@ void compare(const std::filesystem::path& path, const json& there, const std::ve
     for (std::size_t i = 0; i < here.size(); ++i)
         if (there[i] != pack(here[i]))
             refuse(path, "direction " + std::to_string(i + 1) + " [sun_zenith_deg, altitude_km, view_zenith_deg, azimuth_deg]",
-                   there[i].dump(), pack(here[i]).dump());
+                   show_json(there[i]), show_json(pack(here[i])));
 }
 
 }  // namespace

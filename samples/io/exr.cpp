@@ -9,10 +9,10 @@
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStdIO.h>
-#include <OpenEXR/ImfTestFile.h>
+#include <OpenEXR/openexr.h>
 #include <algorithm>
-#include <bit>
-#include <cstring>
+#include <cstdint>
+#include <fstream>
 #include <stdexcept>
 
 namespace aureole::app {
@@ -32,18 +32,20 @@ std::string height_channel(const Imf::ChannelList& channels, const std::string& 
                 "Y, R, or a single channel");
 }
 
-/// The header alone: opening the file makes room for as many lines as the header promises.
+/// The header alone, by OpenEXR's core library, which compares every length with the file's: the C++ reader behind it asks for
+/// as many bytes as an attribute promises, and for as many lines as the header does.
 Imath::Box2i data_window(const std::filesystem::path& path) {
-    if (!Imf::isOpenExrFile(path.c_str())) throw std::runtime_error("it does not start as one");
-    Imf::StdIFStream stream(path.c_str());
-    char start[8];  // magic number, version and flags
-    stream.read(start, sizeof start);
-    int version = 0;
-    static_assert(std::endian::native == std::endian::little);  // as the file
-    std::memcpy(&version, start + 4, sizeof version);
-    Imf::Header header;
-    header.readFrom(stream, version);
-    return header.dataWindow();
+    struct Context {
+        ~Context() { exr_finish(&file); }
+        exr_context_t file = nullptr;
+    } context;
+    exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    settings.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};  // by default they are printed
+    exr_attr_box2i_t window{};
+    exr_result_t result = exr_start_read(&context.file, path.c_str(), &settings);
+    if (result == EXR_ERR_SUCCESS) result = exr_get_data_window(context.file, 0, &window);
+    if (result != EXR_ERR_SUCCESS) throw std::runtime_error(exr_get_default_error_message(result));
+    return {{window.min.x, window.min.y}, {window.max.x, window.max.y}};
 }
 
 }  // namespace
@@ -80,6 +82,8 @@ GreyImage read_exr_grey(const std::filesystem::path& path) {
 
 void write_exr(const std::filesystem::path& path, const LinearImage& image) {
     NewFile out(path);
+    // Ours, since OpenEXR's files swallow what goes wrong while they are closed.
+    std::ofstream stream(out.temporary(), std::ios::binary);
     try {
         Imf::Header header(static_cast<int>(image.width), static_cast<int>(image.height));
         header.compression() = Imf::ZIP_COMPRESSION;
@@ -93,13 +97,16 @@ void write_exr(const std::filesystem::path& path, const LinearImage& image) {
             buffer.insert(names[c], Imf::Slice(Imf::FLOAT, first, pixel, pixel * image.width));
         }
         {
-            Imf::OutputFile file(out.temporary().c_str(), header);
+            Imf::StdOFStream target(stream, path.c_str());
+            Imf::OutputFile file(target, header);
             file.setFrameBuffer(buffer);
             file.writePixels(static_cast<int>(image.height));
         }  // its destructor writes the table of lines
     } catch (const std::exception& problem) {
         throw Error(ErrorCode::io, path.string() + ": cannot be written: " + problem.what());
     }
+    stream.close();
+    if (!stream) throw Error(ErrorCode::io, path.string() + ": cannot be written (is the disk full?)");
     out.commit();
 }
 

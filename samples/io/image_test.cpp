@@ -106,6 +106,10 @@ TEST_CASE("read_png_grey: a header is not believed") {
           "header.png: size: 60000x60000 is not allowed; allowed: 2 to 32768 points a side, at most 268435456 in all");
     CHECK(contains(with_size(32768, 32768), "size: 32768x32768 is not allowed"));
     CHECK(contains(with_size(3, 1), "size: 3x1 is not allowed"));
+    std::string large = get("whole.png");  // a text of two gigabytes after the header, of 33 bytes with the signature
+    large.insert(33, "\x7f\xff\xff\xf0tEXt");
+    CHECK(contains(complaint([&] { (void)read_png_grey(put("large.png", large)); }),
+                   "not a readable PNG: the file ends too early"));
     CHECK(contains(with_size(16384, 16384), "not a readable PNG: the file ends too early"));  // before half a gigabyte is taken
 }
 
@@ -128,6 +132,11 @@ TEST_CASE("read_exr_grey") {
     for (const std::size_t corner : {8u, 12u}) std::memcpy(wide.data() + window + corner, &far, sizeof far);
     CHECK(complaint([&] { (void)read_exr_grey(put("wide.exr", wide)); }) ==
           "wide.exr: size: 60000x60000 is not allowed; allowed: 2 to 32768 points a side, at most 268435456 in all");
+    using namespace std::string_literals;
+    for (const std::string& size : {"\xff\xff\xff\x7f"s, "\xff\xff\xff\xff"s, std::string("\0\x40\0\0", 4)}) {
+        const std::string large = whole.substr(0, 8) + "own\0unknown\0"s + size + whole.substr(8);
+        CHECK(contains(complaint([&] { (void)read_exr_grey(put("large.exr", large)); }), "not a readable EXR: "));
+    }
     for (const std::size_t length : {whole.size() / 4, whole.size() / 2, whole.size() - 1}) {
         CAPTURE(length);
         CHECK(contains(complaint([&] { (void)read_exr_grey(put("cut.exr", whole.substr(0, length))); }), "not a readable EXR"));

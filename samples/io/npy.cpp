@@ -14,6 +14,7 @@ namespace aureole::app {
 namespace {
 
 constexpr std::size_t most_values = std::size_t{1} << 28;
+constexpr std::size_t most_dimensions = 32;  // NumPy's own limit, before version 2
 
 struct Fault {
     const std::string& name;
@@ -51,6 +52,7 @@ std::vector<std::size_t> parse_shape(std::string_view text, const Fault& fault) 
         if (length > most_values || total * std::max<std::size_t>(length, 1) > most_values) fault("its shape is too large");
         total *= std::max<std::size_t>(length, 1);
         shape.push_back(length);
+        if (shape.size() > most_dimensions) fault("its shape has more than 32 dimensions");
         text.remove_prefix(static_cast<std::size_t>(after - text.data()));
         const std::size_t comma = text.find_first_not_of(" ");
         if (comma == std::string_view::npos) return shape;

@@ -40,6 +40,9 @@ std::vector<std::byte> read_entry(zip_t* archive, zip_uint64_t index, const std:
     zip_stat_t entry;
     zip_stat_init(&entry);
     if (zip_stat_index(archive, index, 0, &entry) != 0 || !(entry.valid & ZIP_STAT_SIZE)) throw fail(zip_strerror(archive));
+    // The two that NumPy writes: deflated bytes hold a thousand others at most, where bzip2's hold millions.
+    if (entry.comp_method != ZIP_CM_STORE && entry.comp_method != ZIP_CM_DEFLATE)
+        throw fail("it is neither stored nor deflated");
     if (entry.size > most_bytes) throw fail("it is larger than 2 GiB");
     const Entry file(zip_fopen_index(archive, index, 0));
     if (!file) throw fail(zip_strerror(archive));
@@ -69,7 +72,7 @@ struct NpzFile::Impl {
 
 NpzFile::NpzFile(const std::filesystem::path& path) {
     (void)read_file(path);  // says in our words what is wrong with the name
-    impl_ = std::make_unique<Impl>(path, open_archive(path), std::vector<std::string>{}, std::vector<zip_uint64_t>{});
+    impl_.reset(new Impl{path, open_archive(path), {}, {}});
     const zip_int64_t count = zip_get_num_entries(impl_->archive.get(), 0);
     for (zip_int64_t i = 0; i < count; ++i) {
         const char* raw = zip_get_name(impl_->archive.get(), static_cast<zip_uint64_t>(i), 0);

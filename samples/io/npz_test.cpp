@@ -95,6 +95,10 @@ TEST_CASE("parse_npy: broken files") {
     CHECK(contains(header("{'descr': '<i2', 'fortran_order': False, 'shape': (2 3)}"), "no number"));
     CHECK(contains(header("{'descr': '<i2', 'fortran_order': False, 'shape': (4294967296, 4294967296)}"), "too large"));
     CHECK(contains(header("{'descr': '<i2', 'fortran_order': False, 'shape': (99999, 99999, 99999)}"), "too large"));
+    std::string flat = "{'descr': '<i2', 'fortran_order': True, 'shape': (6";
+    for (int i = 0; i < 31; ++i) flat += ", 1";
+    CHECK(header(flat + ")}") == "nothing");
+    CHECK(contains(header(flat + ", 1)}"), "more than 32 dimensions"));
 }
 
 TEST_CASE("NpzFile") {

@@ -46,6 +46,8 @@ struct Header {
 bool read_header(png_structp png, png_infop info, Source& source, Header& header) {
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_read_fn(png, &source, on_read);
+    // Texts, colour profiles and the like are passed over: libpng would make room for as much as each says that it holds.
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
     png_read_info(png, info);
     png_get_IHDR(png, info, &header.width, &header.height, &header.bits, &header.color, nullptr, nullptr, nullptr);
     return true;

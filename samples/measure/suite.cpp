@@ -43,6 +43,17 @@ std::vector<double> required_numbers(Section& section, std::string_view key, Ran
     return *values;
 }
 
+/// Before room is made for them: short lists have long products.
+struct Items {
+    std::size_t known, a, b, c;
+};
+void check_product(Section& section, const char* what, const Items& items) {
+    const double count = static_cast<double>(items.known) +
+                         static_cast<double>(items.a) * static_cast<double>(items.b) * static_cast<double>(items.c);
+    if (count > static_cast<double>(most_items))
+        section.reject("", print_number(count) + " " + what, "at most " + std::to_string(most_items) + " in the suite");
+}
+
 void read_scenes(Section section, Suite& suite) {
     const std::string scene_class = section.text("class").value_or("");
     if (scene_class.empty()) section.reject("class", "nothing", "a text");
@@ -55,6 +66,7 @@ void read_scenes(Section section, Suite& suite) {
     if (airs.empty()) section.reject("air", "nothing", "the name of an [[air]] above, or an array of names");
     const std::vector<double> elevations = required_numbers(section, "sun_elevation_deg", {-90, 90});
     const std::vector<double> altitudes = required_numbers(section, "altitude_m", {0, 1e12});
+    check_product(section, "scenes", {suite.scenes.size(), airs.size(), elevations.size(), altitudes.size()});
     const bool aerial = section.boolean("aerial").value_or(false), picture = section.boolean("picture").value_or(false);
     for (const std::size_t air : airs)
         for (const double elevation : elevations)
@@ -69,6 +81,7 @@ void read_settings(Section section, Suite& suite) {
     const std::vector<std::string> qualities = section.texts("quality").value_or(std::vector<std::string>{"default"});
     const std::string spectral = read_spectral(section, "spectral").value_or("rgb");
     const std::vector<std::string> without = section.texts("without").value_or(std::vector<std::string>{});
+    check_product(section, "settings", {suite.settings.size(), models.size(), qualities.size(), 1});
     for (const std::string& model : models)
         for (const std::string& quality : qualities) {
             suite.settings.push_back({model, quality, spectral, without});

@@ -105,6 +105,15 @@ TEST_CASE("suite: what is wrong is named with its line and what is allowed") {
     CHECK(contains(complaint_of(with("spectral = 4", "spectrum = 4")), "spectrum"));
 }
 
+TEST_CASE("suite: short lists with a long product are refused before room is made for it") {
+    std::string many = "[0";
+    for (int i = 1; i < 100000; ++i) many += ",0";
+    many += "]";
+    const std::string text = "[[air]]\nname = \"e\"\n[[scenes]]\nclass = \"c\"\nair = \"e\"\nsun_elevation_deg = " + many +
+                             "\naltitude_m = " + many + "\n[[setting]]\nmodel = \"fog\"\n";
+    CHECK(complaint_of(text) == "s.toml:3: scenes[0]: 1e+10 scenes is not allowed; allowed: at most 100000 in the suite");
+}
+
 TEST_CASE("suite: the program's own are read, and the truth of the small one is complete") {
     const std::filesystem::path folder = std::filesystem::path(AUREOLE_SCENES).parent_path() / "suites";
     for (const char* name : {"small.toml", "full.toml"}) CHECK_NOTHROW((void)read_suite(folder / name));

@@ -151,8 +151,7 @@ std::vector<ProbeRow> truth_rows(const Suite& suite, std::size_t air) {
     const auto less = [](const ProbeRow& a, const ProbeRow& b) { return place_of(a) < place_of(b); };
     const auto same = [](const ProbeRow& a, const ProbeRow& b) { return place_of(a) == place_of(b); };
     std::ranges::sort(rows, less);
-    const auto repeated = std::ranges::unique(rows, same);
-    rows.erase(repeated.begin(), repeated.end());
+    rows.erase(std::unique(rows.begin(), rows.end(), same), rows.end());
     return rows;
 }
 

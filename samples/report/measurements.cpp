@@ -1,5 +1,7 @@
 #include "report/measurements.h"
 
+#include "io/json_file.h"
+
 #include <aureole/rhi/error.h>
 
 #include <algorithm>
@@ -21,9 +23,7 @@ public:
         : value_(&value), file_(std::move(file)), place_(std::move(place)) {}
 
     [[noreturn]] void reject(const std::string& allowed) const {
-        std::string text = value_->dump(-1, ' ', false, json::error_handler_t::replace);
-        if (text.size() > 80) text = text.substr(0, 77) + "...";
-        throw Error(ErrorCode::invalid_argument, name(), text, allowed);
+        throw Error(ErrorCode::invalid_argument, name(), show_json(*value_), allowed);
     }
 
     [[nodiscard]] bool has(const std::string& key) const { return object().contains(key); }

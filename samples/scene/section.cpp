@@ -58,6 +58,24 @@ std::optional<double> as_number(const toml::node& node) {
     return std::nullopt;
 }
 
+/// toml++ makes a table for each part of a dotted key and frees them by recursion: a line of dots takes more stack than there
+/// is. What looks like a key: dots that nothing but names and blanks stands between.
+void check_keys(std::string_view text, const std::string& name) {
+    constexpr int most_parts = 100;
+    int dots = 0, line = 1;
+    char before = '\n';
+    for (const char c : text) {
+        if (c == '\n') ++line;
+        if (std::string_view("\n=,{}").find(c) != std::string_view::npos || (c == '.' && before == '.'))
+            dots = 0;
+        else if (c == '.' && ++dots > most_parts)
+            throw Error(ErrorCode::invalid_argument, name + ":" + std::to_string(line) +
+                                                         ": not TOML of ours: a key of more than " +
+                                                         std::to_string(most_parts) + " parts");
+        before = c;
+    }
+}
+
 bool inside(double value, Range range) { return value >= range.low && value <= range.high; }  // false for NaN
 
 }  // namespace
@@ -211,6 +229,7 @@ TomlDocument::TomlDocument(const std::filesystem::path& path)
     : TomlDocument(read_text(path, 1 << 26), path.filename().string()) {}
 
 TomlDocument::TomlDocument(std::string_view text, const std::string& name) {
+    check_keys(text, name);
     try {
         auto table = std::make_shared<const toml::table>(toml::parse(text, name));
         root_ = std::make_shared<Section::Impl>();

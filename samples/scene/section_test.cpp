@@ -32,6 +32,22 @@ TEST_CASE("Section: values of each kind") {
     CHECK_NOTHROW(s.finish());
 }
 
+TEST_CASE("TomlDocument: a key of any length is no way to the end of the stack") {
+    const auto key = [](std::size_t parts) {
+        std::string text = "\na";
+        for (std::size_t i = 1; i < parts; ++i) text += i % 2 == 0 ? ".a" : " . \"b\"";
+        return text;
+    };
+    CHECK_NOTHROW((void)root(key(100) + " = 1"));
+    CHECK(
+        contains(complaint([&] { (void)root(key(3000000) + " = 1"); }), "t.toml:2: not TOML of ours: a key of more than 100"));
+    CHECK(contains(complaint([&] { (void)root("[" + key(200).substr(1) + "]"); }), "a key of more than"));
+    CHECK_NOTHROW((void)root("# " + std::string(300, '.')));
+    std::string numbers = "a = [0.5";
+    for (int i = 0; i < 300; ++i) numbers += ", 0.5";
+    CHECK(root(numbers + "]").numbers("a", {0, 1})->size() == 301);
+}
+
 TEST_CASE("Section: messages say file, line, key, value and what is allowed") {
     const auto rejected = [](const std::string& text, auto&& read) {
         Section s = root(text);

@@ -30,15 +30,18 @@ std::string settings_at_a_glance(const Measurements& all, const std::vector<Clas
         if (!all.settings[setting].without.empty()) continue;
         std::vector<std::string> cells{cell(all.settings[setting].id)};
         const Summary* costs = nullptr;
+        bool measured = false;
         for (const ClassSummary& of : classes) {
             const Summary* here = find(of.settings, setting);
             const auto region = here == nullptr ? decltype(here->regions.end()){} : here->regions.find("all");
             const bool known = here != nullptr && region != here->regions.end();
+            measured |= known;
             cells.push_back(known ? in_unit(region->second.median, Unit::percent) + " / " +
                                         in_unit(region->second.p95, Unit::percent)
                                   : std::string(not_measured));
             if (costs == nullptr && here != nullptr && !here->costs.empty()) costs = here;
         }
+        if (!measured) continue;  // for colours of other airs
         for (const std::size_t i : {0UL, 1UL})
             cells.push_back(costs == nullptr ? std::string(not_measured) : in_unit(costs->costs, cost_figures[i]));
         rows += row(cells);

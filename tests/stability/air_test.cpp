@@ -134,9 +134,8 @@ void check_scale(Ledger& ledger, const Case& c, kernels::StabilityFormulas<real>
                  real s) {
     const Path<real> p(c, a);
     ledger.add("unit scale: medium", c, apart<real>(a.medium_extinction(p.h), s * b.medium_extinction(p.h * s), 1e-3));
-    ledger.add(
-        "unit scale: optical depth", c,
-        apart<real>(a.optical_depth_along(p.h, p.mu, p.length), b.optical_depth_along(p.h * s, p.mu, p.length * s), 1e-3));
+    ledger.add("unit scale: optical depth", c,
+               apart<real>(a.optical_depth_along(p.h, p.mu, p.length), b.optical_depth_along(p.h * s, p.mu, p.length * s), 16));
 }
 
 /// The same air in kilometres that are `s` times as short. Terms whose coefficients leave the range of floats are not scaled.

@@ -75,7 +75,7 @@ void check_distances(Ledger& ledger, const Case& c, const Place<real>& p) {
     ledger.check("the ground is no farther than the horizon", c,
                  to_ground <= k.horizon_distance(p.h) * (1 + 4 * std::numeric_limits<real>::epsilon()));
     ledger.check("the ground is no nearer than straight down", c,
-                 to_ground >= p.h * (1 - 8 * std::numeric_limits<real>::epsilon()));
+                 to_ground >= p.h * (1 - 32 * std::numeric_limits<real>::epsilon()));
 }
 
 template <class real>

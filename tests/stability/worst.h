@@ -20,7 +20,7 @@ public:
     explicit Ledger(std::string title) : title_(std::move(title)) {}
 
     /// A number that is none counts as infinite.
-    void add(const char* what, const Case& c, double error) {
+    void add(const std::string& what, const Case& c, double error) {
         Entry& entry = worst_[what];
         ++entry.count;
         if (std::isnan(error)) error = std::numeric_limits<double>::infinity();
@@ -29,7 +29,7 @@ public:
         entry.index = c.index();
     }
     /// Yes is 0, no is 2.
-    void check(const char* what, const Case& c, bool holds) { add(what, c, holds ? 0 : 2); }
+    void check(const std::string& what, const Case& c, bool holds) { add(what, c, holds ? 0 : 2); }
 
     /// Every one within its bound. With AUREOLE_STABILITY_PRINT set: prints all.
     void verify() const {

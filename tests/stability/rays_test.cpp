@@ -131,7 +131,7 @@ void check_neighbours(Ledger& ledger, const Case& c, Kernel<real>& k) {
 
 TEST_CASE_TEMPLATE("stability, rays: sound, and no more light than there is", real, float, double) {
     Ledger ledger(sizeof(real) == 4 ? "rays in float" : "rays in double");
-    const Range range = cases(10000);
+    const Range range = cases(3000);
     Formulas<real> formulas;
     for (std::uint64_t i = range.begin; i < range.end; ++i) {
         const Case c(i);

@@ -87,9 +87,9 @@ models::ReferenceSettings few_paths() {
 std::vector<Rung> make() {
     using models::FogSettings, models::Steps;
     return {
-        {"fog, one colour", models::fog({.mode = FogSettings::Mode::one_colour})},
+        {"fog, one colour", models::fog({.mode = FogSettings::Mode::one_colour}), false},
         {"fog, in-scatter", models::fog({.transmittance_nodes = 4})},
-        {"fog, endless", models::fog({.sky = FogSettings::Sky::infinity, .transmittance_nodes = 4})},
+        {"fog, endless", models::fog({.sky = FogSettings::Sky::infinity, .transmittance_nodes = 4}), false},
         {"single", models::single(single(Steps::gauss, false))},
         {"single, midpoints", models::single(single(Steps::midpoints, false))},
         {"single, dome", models::single(single(Steps::gauss, true))},
@@ -102,7 +102,7 @@ std::vector<Rung> make() {
         {"aureole, half", models::aureole(small_aureole(half))},
         {"bruneton", models::bruneton(small_bruneton(false, full))},
         {"bruneton, half", models::bruneton(small_bruneton(true, half))},
-        {"reference", models::reference(few_paths())},
+        {"reference", models::reference(few_paths()), true, true},
     };
 }
 

@@ -10,6 +10,8 @@ namespace aureole::stability {
 struct Rung {
     const char* name;
     ModelPtr model;
+    bool scaled = true;  ///< The same in another unit: no length of its own.
+    bool random = false;
 };
 /// Every model, those with settings that take other ways through their kernels more than once.
 [[nodiscard]] std::span<const Rung> rungs();

@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <stdexcept>
-#include <string_view>
 
 using namespace aureole;
 using namespace aureole::stability;
@@ -80,23 +79,44 @@ bool has_room(const Case& c) {
     return 4 * (c.bottom_radius_m() + std::abs(c.altitude_m())) < 1e13 && c.bottom_radius_m() < 2e11;
 }
 
+/// The ground's shadow has an edge as sharp as the sun is small, and doubles tell a place on a planet of 1e12 m to 0.1 mm.
+bool off_the_terminator(const Case& c) {
+    return std::abs(c.sun_zenith() - horizon_zenith(c.bottom_radius_m(), c.altitude_m())) > 1e-4 &&
+           std::abs(c.sun_zenith() - pi / 2) > 1e-4;
+}
+
+/// The least length over which anything changes.
+double finest_m(const Case& c) {
+    double least = std::min(c.planet().top_radius_m - c.planet().bottom_radius_m, c.bottom_radius_m());
+    for (const DensityTerm& term : c.air().terms) {
+        if (const auto* layer = std::get_if<ExponentialProfile>(&term.profile)) least = std::min(least, layer->scale_height_m);
+        if (const auto* layer = std::get_if<TentProfile>(&term.profile)) least = std::min(least, layer->half_width_m);
+        if (const auto* layer = std::get_if<TabulatedProfile>(&term.profile))
+            least = std::min(least, layer->altitude_m[1] / 1e6);
+    }
+    return least;
+}
+
 }  // namespace
 
 TEST_CASE("stability, models: the same sky mirrored, turned, in another unit") {
     const glm::dmat3 turn(glm::rotate(glm::dmat4(1), 2.1, glm::normalize(glm::dvec3(3, -1, 2))));
     for (const Rung& rung : rungs()) {
-        if (std::string_view(rung.name) == "reference") continue;  // paths of other directions are others
+        if (rung.random) continue;  // paths of other directions are others
         Ledger ledger(rung.name);
-        const Range range = cases(40);
+        const Range range = cases(12);
         for (std::uint64_t i = range.begin; i < range.end; ++i) {
             const Case c(i);
             try {
                 physics::Machine& machine = physics::cpu_float();
                 const std::vector<Rgb> seen = look(rung, c, {}, machine);
                 ledger.add("mirrored", c, apart(seen, look(rung, c, {.mirrored = true}, machine), 1e-3) / 1e-2);
-                ledger.add("turned", c, apart(seen, look(rung, c, {.turn = turn}, machine), 1e-3) / 1e-2);
+                if (off_the_terminator(c))
+                    ledger.add("turned", c, apart(seen, look(rung, c, {.turn = turn}, machine), 1e-3) / 1e-2);
                 ledger.add("tilted by a millionth", c, apart(seen, look(rung, c, {.tilt = 1e-6}, machine), 1e-3) / 1e-2);
-                if (has_room(c))
+                if (off_the_terminator(c) && finest_m(c) > 1e3 && c.bottom_radius_m() < 1e11)
+                    ledger.add("a millimetre higher", c, apart(seen, look(rung, c, {.rise_m = 1e-3}, machine), 1e-3) / 1e-2);
+                if (rung.scaled && has_room(c))
                     ledger.add("in another unit", c, apart(seen, look(rung, c, {.scale = 4}, machine), 1e-3) / 1e-2);
             } catch (const std::exception& error) {
                 ledger.check(error.what(), c, false);

@@ -17,9 +17,10 @@ inline double brightest(const std::vector<Rgb>& seen) {
     return most;
 }
 
-/// The largest difference, relative to the brighter of the two or a share of the brightest of all.
+/// The largest difference, relative to the brighter of the two or a share of the brightest of all. Night is what half
+/// floats end at.
 inline double apart(const std::vector<Rgb>& a, const std::vector<Rgb>& b, double share) {
-    const double least = share * std::max(brightest(a), brightest(b)) + 1e-30;
+    const double least = share * std::max(brightest(a), brightest(b)) + 1e-10;
     double worst = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
         for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(a[i][c] - b[i][c]) / std::max({a[i][c], b[i][c], least}));

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <string>
 #include <string_view>
 
 using namespace aureole::stability;
@@ -63,7 +64,7 @@ TEST_CASE("stability, precision: float loses no more than stated anywhere that a
     Prober prober;
     for (std::size_t i = 0; i < probes().size(); ++i) {
         const Probe& probe = probes()[i];
-        CAPTURE(probe.name);
+        INFO(std::string(probe.name));
         Found found = search(prober, i, range.end);
         for (const Kept& worst : kept)
             if (std::string_view(worst.name) == probe.name)

@@ -54,6 +54,19 @@ template <class K>
 auto length_of(K& k, decltype(k.atm.radii.x) h, decltype(k.atm.radii.x) mu) {
     return k.hits_ground(h, mu) ? k.distance_to_ground(h, mu) : k.distance_to_top(h, mu);
 }
+/// Of a ray that meets the ground: the half chord through the planet over the distance to its middle. How far away the ground
+/// is follows from the cosine only so well: near the horizon its rounding moves the ground by kilometres.
+template <class K>
+auto along_root(K& k, decltype(k.atm.radii.x) h, decltype(k.atm.radii.x) mu) {
+    const auto b = (k.bottom_radius() + h) * mu;
+    return std::sqrt(std::max(1 - k.squares_apart(0, h) / (b * b), decltype(b)(1e-7)));
+}
+/// Of a ray from high above: by how many scale heights its lowest point moves with its cosine.
+template <class K>
+auto lowest_condition(K& k, decltype(k.atm.radii.x) h, decltype(k.atm.radii.x) mu) {
+    const auto sine = std::sqrt(std::max((1 - mu) * (1 + mu), decltype(mu)(1e-7)));
+    return (k.bottom_radius() + h) * std::abs(mu) / sine * k.atm.term_profile[0].x;
+}
 /// Ends of rays are given to both precisions alike, from double.
 struct Ends {
     double length, t, altitude;
@@ -93,15 +106,16 @@ const Functions functions[] = {
     PROBE("horizon_mu", 8, k.horizon_mu(h)),
     PROBE_TO("altitude_after", 8, "h + t (abs(mu) + t / 2 r)", k.altitude_after(h, mu, t),
              h + t * (std::abs(mu) + t / (2 * (k.bottom_radius() + h)))),
-    PROBE_TO("distance_to_top", 8, "value, or 2^-23 r", k.distance_to_top(h, mu), k.distance_to_top(h, mu)),
-    PROBE("transmittance_mu of 0", 8, k.transmittance_mu(h, real(0))),
-    PROBE_TO("distance_to_ground", 8, "value", e.ground ? k.distance_to_ground(h, mu) : real(1), e.ground ? end : real(1)),
-    PROBE_TO("view_mu_after", 8, "1", k.view_mu_after(ray, t, h_t), real(1)),
-    PROBE_TO("sun_mu_after", 8, "1", k.sun_mu_after(ray, t, h_t), real(1)),
+    PROBE("distance_to_top", 8, k.distance_to_top(h, mu)),
+    PROBE("transmittance_mu of 0", 16, k.transmittance_mu(h, real(0))),
+    PROBE_TO("distance_to_ground", 8, "value r abs(mu) / root", e.ground ? k.distance_to_ground(h, mu) : real(1),
+             e.ground ? end / along_root(k, h, mu) : real(1)),
+    PROBE_TO("view_mu_after", 16, "1", k.view_mu_after(ray, t, h_t), real(1)),
+    PROBE_TO("sun_mu_after", 16, "1", k.sun_mu_after(ray, t, h_t), real(1)),
     PROBE_TO("transmittance_position", 32, "1", k.transmittance_position(h, mu).x, real(1)),
     PROBE_TO("transmittance_mu", 32, "1", k.transmittance_mu(h, u), real(1)),
     PROBE_TO("sun_position", 8, "1", k.sun_position(mu_s), real(1)),
-    PROBE_TO("sun_mu_at", 16, "1", k.sun_mu_at(u), real(1)),
+    PROBE_TO("sun_mu_at", 32, "1", k.sun_mu_at(u), real(1)),
     PROBE("slice_position", 16, k.slice_position(u, 32)),
     PROBE_TO("term_density", 4, "value (1 + h / H)", k.term_density(0, h),
              k.term_density(0, h) * (1 + h * k.atm.term_profile[0].x)),
@@ -113,11 +127,15 @@ const Functions functions[] = {
              1 / ((1 - std::abs(g)) * (1 - std::abs(g)))),
     PROBE_TO("sample_rayleigh", 16, "1", k.sample_rayleigh(u), real(1)),
     PROBE_TO("visible_share", 16, "1", k.visible_share(4 * u - 2), real(1)),
-    PROBE_TO("optical_depth_along", 64, "value (1 + h / H)", k.optical_depth_along(h, mu, t).x,
+    PROBE_TO("optical_depth_along", 16, "value (1 + h / H)", k.optical_depth_along(h, mu, t).x,
              k.optical_depth_along(h, mu, t).x*(1 + h * k.atm.term_profile[0].x)),
-    PROBE_TO("transmittance_to_top", 64, "1", k.transmittance_to_top(h, mu).x, real(1)),
-    PROBE_TO("march, single scattering", 64, "1 - transmittance of the whole", k.march(ray).single[0].x,
-             1 - std::exp(-k.march(ray).depth.x)),
+    PROBE_TO("transmittance_to_top", 16, "1 + r abs(mu) / H sin", k.transmittance_to_top(h, mu).x,
+             1 + lowest_condition(k, h, mu)),
+    // By day: how long a ray is in the planet's shadow that it grazes, its numbers say as badly as where it grazes the ground.
+    PROBE_TO(
+        "march, single scattering", 32, "(1 - transmittance) (1 + r abs(mu) / H sin)",
+        k.march(typename std::remove_cvref_t<decltype(k)>::Ray{h, mu, std::abs(mu_s), std::abs(nu), end, e.ground}).single[0].x,
+        (1 - std::exp(-k.march(ray).depth.x)) * (1 + lowest_condition(k, h, mu))),
     PROBE_TO("aces_fitted", 16, "1", k.aces_fitted(glm::vec<3, real>(x, u, x* u)).x, real(1)),
     PROBE_TO("encode_srgb", 16, "1", k.encode_srgb(glm::vec<3, real>(u)).x, real(1)),
 };

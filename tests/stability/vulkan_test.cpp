@@ -34,9 +34,7 @@ AtmosphereParameters regular(const Case& c) {
 }
 
 /// Not those whose programs take drivers seconds to compile.
-bool is_quick(std::string_view rung) {
-    return rung == "fog, in-scatter" || rung == "single-lut, half" || rung == "hillaire" || rung == "aureole, half";
-}
+bool is_quick(std::string_view rung) { return rung == "fog, in-scatter" || rung == "aureole, half"; }
 
 }  // namespace
 
@@ -53,7 +51,7 @@ TEST_CASE("stability, Vulkan: no number that is none") {
         setup.composite.target_format = rhi::Format::rgba32_float;
         setup.air = regular(Case(0));
         Rig rig(*vulkan, setup);
-        const Range range = cases(12);
+        const Range range = cases(10);
         for (std::uint64_t i = range.begin; i < range.end; ++i) {
             const Case c(i);
             std::vector<Sun> suns = c.suns();

@@ -46,7 +46,7 @@ AerialPerspectivePass::AerialPerspectivePass(TableViewResources& shared, const T
     }
 
     invocations_ = {size.width, size.height * shared.suns, work == FroxelWork::froxel ? size.depth : 1};
-    pipeline_ = objects.compute(*shader_, shared.specialize_tables().set(8, kernel.nodes).values());
+    pipeline_ = objects.compute(*shader_, shared.specialize_tables().set(8, kernel.nodes).storing(kernel.format).values());
     const rhi::Binding slots[] = {{0, {}, {}, shared.air.block.handle},
                                   {2, shared.air.profile_table.handle, shared.air.nearest, {}},
                                   {3, shared.transmittance.handle, shared.air.linear, {}},

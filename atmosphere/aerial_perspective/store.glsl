@@ -2,8 +2,10 @@
 #ifndef AUREOLE_AERIAL_PERSPECTIVE_STORE_GLSL
 #define AUREOLE_AERIAL_PERSPECTIVE_STORE_GLSL
 
+#include "common/storage.glsl"
+
 void store_layer(ivec3 froxel, int rows, int layer, vec3 value) {
-    imageStore(froxels_out, ivec3(froxel.x, froxel.y + layer * rows, froxel.z), vec4(value, real(0)));
+    imageStore(froxels_out, ivec3(froxel.x, froxel.y + layer * rows, froxel.z), vec4(storable(value), real(0)));
 }
 
 void store_froxel(ivec3 froxel, int rows, int sun, vec3 depth, vec3 radiance, vec3 single[MAX_PHASES]) {

@@ -61,7 +61,7 @@ void pack_disk(const Sun& sun, dvec4& disk, dvec4& limb) {
     const double half = 2 * std::sin(sun.angular_radius_rad / 2);
     const double squared_chord = half * half;
     const dvec3 alpha = limb_exponents(sun.limb_darkening);
-    if (squared_chord < 1e-24) {  // nothing that float directions could hit
+    if (squared_chord < 1e-15) {  // nothing that float directions could hit, and brighter than floats
         disk = limb = dvec4(0);
         return;
     }

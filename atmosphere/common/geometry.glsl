@@ -57,7 +57,7 @@ real half_chord(real lowest) { return sqrt(max(squares_apart(lowest, shell_thick
 // never gets that low, the distance of the lowest point.
 real distance_to_altitude(real altitude, real mu, real target, bool upwards) {
     real b = (bottom_radius() + altitude) * mu;
-    real c = squares_apart(altitude, target);
+    real c = max(squares_apart(altitude, target), -(b * b));
     real root = sqrt(max(b * b + c, real(0)));
     if (upwards) return b > 0 ? c / max(b + root, real(1e-20)) : root - b;
     return b < 0 ? -c / max(root - b, real(1e-20)) : -b - root;

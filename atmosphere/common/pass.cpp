@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <string>
 
 namespace aureole::detail {
@@ -103,6 +104,11 @@ Specialize& Specialize::set(const rhi::Specialization& value) {
     }
     values_.push_back(value);
     return *this;
+}
+
+Specialize& Specialize::storing(rhi::Format format) {
+    const bool wide = rhi::bytes_per_texel(format) == 4 * rhi::channel_count(format);
+    return set({54, std::bit_cast<std::uint32_t>(wide ? 1e38F : 65000.0F)});
 }
 
 void move(rhi::CommandList& commands, std::initializer_list<Move> moves) {

@@ -85,6 +85,8 @@ public:
     /// Sets or replaces a constant.
     Specialize& set(std::uint32_t id, int value);
     Specialize& set(const rhi::Specialization& value);
+    /// Constant 54 (common/storage.glsl): what is written to a texture of this format stays finite.
+    Specialize& storing(rhi::Format format);
     [[nodiscard]] std::span<const rhi::Specialization> values() const noexcept { return values_; }
 
 private:

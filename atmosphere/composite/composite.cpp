@@ -104,6 +104,7 @@ Specialize CompositePass::specialization(const TripletKernels& run, bool given_d
     values.set(18, kernels_.aerial_perspective && settings_.scene_depth);
     values.set(19, settings_.sun_disk).set(20, static_cast<int>(settings_.tone_map)).set(21, settings_.encode_srgb);
     values.set(22, settings_.dither).set(23, given_directions);
+    values.storing(settings_.target_format);
     values.set(37, settings_.sun_lobe_g > 0).set(38, shadows_.enabled());
     if (kernels_.space_constant != 0) values.set(kernels_.space_constant, from_space);
     if (shadows_.enabled()) {

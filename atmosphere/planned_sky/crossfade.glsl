@@ -13,7 +13,7 @@ struct CrossfadeShare {
 PUSH_CONSTANTS(CrossfadeShare, fade)
 
 vec4 crossfade_pixel(ivec2 pixel) {
-    // Not before + (after - before) share: where both are infinite (a sun's disk in half floats) that is not a number.
+    // Not before + (after - before) share, which would not end at after to the bit.
     return texelFetch(picture_before, pixel, 0) * (1 - fade.size.z) + texelFetch(picture_after, pixel, 0) * fade.size.z;
 }
 

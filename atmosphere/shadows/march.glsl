@@ -2,6 +2,7 @@
 #ifndef AUREOLE_SHADOWS_MARCH_GLSL
 #define AUREOLE_SHADOWS_MARCH_GLSL
 
+#include "common/storage.glsl"
 #include "common/view_ray.glsl"
 #include "shadows/beam.glsl"
 #include "shadows/shadows.glsl"
@@ -13,7 +14,7 @@ LOCAL_SIZE(8, 8, 1)
 void store_loss(ivec2 texel, vec3 loss, int sun) {
     vec3 sum = in_rgb(loss) * view.table_exposure[sun];
     if (!first_triplet()) sum += vec3(texelFetch(sum_before, texel, 0));
-    imageStore(shadows_out, texel, vec4(sum, real(0)));
+    imageStore(shadows_out, texel, vec4(storable(sum), real(0)));
 }
 
 COMPUTE_MAIN(id) {

@@ -87,7 +87,7 @@ ShadowPass::ShadowPass(ViewResources& shared, const ModelKernels& kernels, const
     if (airs.empty()) airs.push_back({&shared, &kernels, transmittance});
     make_tables(layers_of(specialization(airs.front()).values()), airs.size());
     for (const TripletKernels& air : airs)
-        runs_.push_back({air, shared.objects.compute(*shader_, specialization(air).values())});
+        runs_.push_back({air, shared.objects.compute(*shader_, specialization(air).storing(table_.format).values())});
     block_ = shared.objects.constants("shadows", sizeof(ShadowBlock));
     if (!transmittance) {
         rule_ = quadrature_block(sun_nodes);

@@ -28,7 +28,7 @@ SkyViewPass::SkyViewPass(TableViewResources& shared, const TableKernel& kernel) 
     invocations_ = {extent.width, kernel.size.height * shared.suns, 1};
     table_ =
         objects.texture({"sky_view", rhi::Dimension::d2, kernel.format, extent, rhi::Usage::sampled | rhi::Usage::storage});
-    pipeline_ = objects.compute(*shader_, shared.specialize_tables().set(8, kernel.nodes).values());
+    pipeline_ = objects.compute(*shader_, shared.specialize_tables().set(8, kernel.nodes).storing(kernel.format).values());
     if (kernel.has_quadrature()) {
         rule_ = quadrature_block(kernel.nodes);
         quadrature_ = objects.constants("sky_view quadrature", sizeof rule_);

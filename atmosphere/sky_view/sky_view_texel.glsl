@@ -4,6 +4,7 @@
 #define AUREOLE_SKY_VIEW_TEXEL_GLSL
 
 #include "common/ground.glsl"
+#include "common/storage.glsl"
 #include "sky_view/camera_ray.glsl"
 
 #ifndef AUREOLE_SKY_VIEW_MARCH
@@ -41,12 +42,12 @@ void sky_view_texel(ivec2 id) {
     int base = sun * sky_view_layers() * rows + row;
     for (int c = 0; c < PHASE_COUNT; ++c) {
         if (phase_is_sharp(c))
-            imageStore(sky_view_out, ivec2(id.x, base + sharp_layer(c) * rows), vec4(light.single[c] * exposure, real(0)));
+            imageStore(sky_view_out, ivec2(id.x, base + sharp_layer(c) * rows), vec4(storable(light.single[c] * exposure), real(0)));
         else
             radiance += light.single[c] * phase_value(c, ray.nu);
     }
-    imageStore(sky_view_out, ivec2(id.x, base), vec4(radiance * exposure, real(0)));
-    if (sun == 0) imageStore(sky_view_out, ivec2(id.x, SUN_COUNT * sky_view_layers() * rows + row), vec4(light.depth, real(0)));
+    imageStore(sky_view_out, ivec2(id.x, base), vec4(storable(radiance * exposure), real(0)));
+    if (sun == 0) imageStore(sky_view_out, ivec2(id.x, SUN_COUNT * sky_view_layers() * rows + row), vec4(storable(light.depth), real(0)));
 }
 
 #endif

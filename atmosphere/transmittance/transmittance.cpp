@@ -16,7 +16,7 @@ TransmittancePass::TransmittancePass(AirResources& shared, const TableKernel& ke
     Objects& objects = shared.objects;
     table_ = objects.texture(
         {"transmittance", rhi::Dimension::d2, kernel.format, kernel.size, rhi::Usage::sampled | rhi::Usage::storage | copies});
-    pipeline_ = objects.compute(*shader_, Specialize(shared.air).set(8, kernel.nodes).values());
+    pipeline_ = objects.compute(*shader_, Specialize(shared.air).set(8, kernel.nodes).storing(kernel.format).values());
     if (kernel.has_quadrature()) {
         rule_ = quadrature_block(kernel.nodes);
         quadrature_ = objects.constants("transmittance quadrature", sizeof rule_);

@@ -15,13 +15,13 @@
 
 #include "common/geometry.glsl"
 #include "phase/phase.glsl"
+#include "common/storage.glsl"
 #include "phase/sharp_phases.glsl"
 #include "transmittance/transmittance.glsl"
 
 SPEC_INT(30, NU_NODES, 8)
 SPEC_BOOL(31, COMBINED, false)
 CONST(real, TABLE_SCALE, real(1024))
-CONST(real, LARGEST_STORED, real(65000))  // of half floats, nearly
 
 int scattering_layers_apart() { return sharp_layer(MAX_PHASES); }
 int scattering_layers() { return COMBINED ? 1 : scattering_layers_apart(); }

@@ -29,7 +29,7 @@ COMPUTE_MAIN(id) {
         vec3 depth = vec3(SAMPLE(transmittance_table,
                                  vec2(unit_to_texture(texel_to_unit(strip, nodes), nodes),
                                       unit_to_texture(altitude_position(view.camera.x), textureSize(transmittance_table, 0).y))));
-        imageStore(view_depth_out, ivec2(strip, 0), vec4(depth, real(0)));
+        imageStore(view_depth_out, ivec2(strip, 0), vec4(storable(depth), real(0)));
     }
     if (id.x >= size.x || id.y >= rows || id.z >= SUN_COUNT) return;
     Ray ray = row_ray(view.camera.x, id.y, rows);

@@ -9,6 +9,7 @@ IMAGE_2D(3, transmittance_out)
 SPEC_INT(8, RAY_STEPS, 40)
 
 #include "common/geometry.glsl"
+#include "common/storage.glsl"
 #include "medium/medium.glsl"
 #include "models/hillaire/steps.glsl"
 #include "transmittance/transmittance.glsl"
@@ -25,5 +26,5 @@ COMPUTE_MAIN(id) {
         RayStep s = even_step(end, i, RAY_STEPS);
         depth += medium_extinction(altitude_after(p.x, p.y, s.t)) * s.dt;
     }
-    imageStore(transmittance_out, ivec2(id.x, id.y), vec4(depth, real(0)));
+    imageStore(transmittance_out, ivec2(id.x, id.y), vec4(storable(depth), real(0)));
 }

@@ -27,6 +27,7 @@ DomePass::DomePass(ViewResources& shared, const std::string& field, const models
       table_(shared.objects.texture(table_desc(shared, field, dome))) {
     Specialize values = shared.specialize();
     for (const rhi::Specialization& value : specialization) values.set(value);
+    values.storing(dome.format);
     pipeline_ = shared.objects.compute(kernel, values.values());
     std::vector<rhi::Binding> slots(bindings.begin(), bindings.end());
     slots.insert(slots.end(), {{0, {}, {}, shared.air.block.handle},

@@ -1,0 +1,127 @@
+// The same sky from another side: mirrored about the sun, turned in space, in another unit, a hair's breadth further on.
+#include "stability/sky_of.h"
+#include "stability/worst.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <stdexcept>
+
+using namespace aureole;
+using namespace aureole::stability;
+using physics::pi;
+using physics::Sky;
+
+namespace {
+
+/// Directions off the horizon and the sun: there the sky is as steep as it likes.
+std::vector<glm::dvec2> smooth_directions(const Case& c) {
+    std::vector<glm::dvec2> at;
+    const double horizon = horizon_zenith(c.bottom_radius_m(), c.altitude_m());
+    const glm::dvec3 sun = c.world(c.sun_zenith(), c.sun_azimuth());
+    for (std::uint64_t i = 0; at.size() < 32 && i < 400; ++i) {
+        const glm::dvec2 d(std::acos(1 - 2 * c.random(1100 + i)), 2 * pi * c.random(1600 + i));
+        if (std::abs(d.x - horizon) > 1e-3 && glm::distance(c.world(d.x, d.y), sun) > 0.05) at.push_back(d);
+    }
+    return at;
+}
+
+struct Side {
+    glm::dmat3 turn{1};
+    double scale = 1;
+    bool mirrored = false;
+    double tilt = 0;    ///< Of all directions, rad.
+    double rise_m = 0;  ///< Of the camera.
+};
+
+void scale(Profile& profile, double s) {
+    if (auto* layer = std::get_if<ExponentialProfile>(&profile)) layer->scale_height_m *= s;
+    if (auto* layer = std::get_if<TentProfile>(&profile)) *layer = {layer->center_m * s, layer->half_width_m * s};
+    if (auto* layer = std::get_if<TabulatedProfile>(&profile))
+        for (double& h : layer->altitude_m) h *= s;
+}
+
+std::vector<Rgb> look(const Rung& rung, const Case& c, const Side& side, physics::Machine& machine) {
+    AtmosphereParameters air = c.air();
+    air.planet.bottom_radius_m *= side.scale;
+    air.planet.top_radius_m *= side.scale;
+    for (DensityTerm& term : air.terms) {
+        scale(term.profile, side.scale);
+        term.scattering_per_m /= side.scale;
+        term.absorption_per_m /= side.scale;
+    }
+    physics::SkyOptions options;
+    options.model = rung.model;
+    Sky sky(machine, air, options);
+    Sun sun;
+    sun.direction = side.turn * c.world(c.sun_zenith(), c.sun_azimuth());
+    const double distance = (c.bottom_radius_m() + c.altitude_m()) * side.scale + side.rise_m;
+    sky.place(side.turn * (distance * c.world(0, 0)), {&sun, 1});
+    std::vector<glm::dvec3> all;
+    for (const glm::dvec2& d : smooth_directions(c))
+        all.push_back(side.turn * c.world(d.x + side.tilt, side.mirrored ? 2 * c.sun_azimuth() - d.y : d.y));
+    return sky.radiance(all);
+}
+
+/// All lengths and coefficients of the case stay in their ranges in a unit four times as small.
+bool has_room(const Case& c) {
+    for (const DensityTerm& term : c.air().terms) {
+        Profile profile = term.profile;
+        scale(profile, 4);
+        DensityTerm scaled = term;
+        scaled.profile = profile;
+        const AtmosphereParameters air{.planet = c.planet(), .terms = {scaled}};
+        try {
+            validate(air);
+        } catch (const Error&) {
+            return false;
+        }
+    }
+    return 4 * (c.bottom_radius_m() + std::abs(c.altitude_m())) < 1e13 && c.bottom_radius_m() < 2e11;
+}
+
+/// The ground's shadow has an edge as sharp as the sun is small, and doubles tell a place on a planet of 1e12 m to 0.1 mm.
+bool off_the_terminator(const Case& c) {
+    return std::abs(c.sun_zenith() - horizon_zenith(c.bottom_radius_m(), c.altitude_m())) > 1e-4 &&
+           std::abs(c.sun_zenith() - pi / 2) > 1e-4;
+}
+
+/// The least length over which anything changes.
+double finest_m(const Case& c) {
+    double least = std::min(c.planet().top_radius_m - c.planet().bottom_radius_m, c.bottom_radius_m());
+    for (const DensityTerm& term : c.air().terms) {
+        if (const auto* layer = std::get_if<ExponentialProfile>(&term.profile)) least = std::min(least, layer->scale_height_m);
+        if (const auto* layer = std::get_if<TentProfile>(&term.profile)) least = std::min(least, layer->half_width_m);
+        if (const auto* layer = std::get_if<TabulatedProfile>(&term.profile))
+            least = std::min(least, layer->altitude_m[1] / 1e6);
+    }
+    return least;
+}
+
+}  // namespace
+
+TEST_CASE("stability, models: the same sky mirrored, turned, in another unit") {
+    const glm::dmat3 turn(glm::rotate(glm::dmat4(1), 2.1, glm::normalize(glm::dvec3(3, -1, 2))));
+    for (const Rung& rung : rungs()) {
+        if (rung.random) continue;  // paths of other directions are others
+        Ledger ledger(rung.name);
+        const Range range = cases(12);
+        for (std::uint64_t i = range.begin; i < range.end; ++i) {
+            const Case c(i);
+            try {
+                physics::Machine& machine = physics::cpu_float();
+                const std::vector<Rgb> seen = look(rung, c, {}, machine);
+                ledger.add("mirrored", c, apart(seen, look(rung, c, {.mirrored = true}, machine), 1e-3) / 1e-2);
+                if (off_the_terminator(c))
+                    ledger.add("turned", c, apart(seen, look(rung, c, {.turn = turn}, machine), 1e-3) / 1e-2);
+                ledger.add("tilted by a millionth", c, apart(seen, look(rung, c, {.tilt = 1e-6}, machine), 1e-3) / 1e-2);
+                if (off_the_terminator(c) && finest_m(c) > 1e3 && c.bottom_radius_m() < 1e11)
+                    ledger.add("a millimetre higher", c, apart(seen, look(rung, c, {.rise_m = 1e-3}, machine), 1e-3) / 1e-2);
+                if (rung.scaled && has_room(c))
+                    ledger.add("in another unit", c, apart(seen, look(rung, c, {.scale = 4}, machine), 1e-3) / 1e-2);
+            } catch (const std::exception& error) {
+                ledger.check(error.what(), c, false);
+            }
+        }
+        ledger.verify();
+    }
+}

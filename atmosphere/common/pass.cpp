@@ -108,7 +108,7 @@ Specialize& Specialize::set(const rhi::Specialization& value) {
 
 Specialize& Specialize::storing(rhi::Format format) {
     const bool wide = rhi::bytes_per_texel(format) == 4 * rhi::channel_count(format);
-    return set({54, std::bit_cast<std::uint32_t>(wide ? 1e38F : 65000.0F)});
+    return set({54, std::bit_cast<std::uint32_t>(wide ? 1e38F : 64512.0F)});
 }
 
 void move(rhi::CommandList& commands, std::initializer_list<Move> moves) {

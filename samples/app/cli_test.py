@@ -391,8 +391,8 @@ def check_fit(measurements):
     expect('fog' in (FOLDER / 'measured_rgb.inc').read_text(), 'fit: writes the table')
     put('broken.json', '{')
     fails('is no JSON', 'fit', FOLDER / 'broken.json')
-    put('empty.json', '{}')
-    fails('measured without costs', 'fit', FOLDER / 'empty.json')
+    fails("key 'settings' not found", 'fit', put('empty.json', '{}'))
+    fails('measured without costs', 'fit', put('no_costs.json', '{"settings": [], "scenes": [], "results": []}'))
 
 
 def check_help():

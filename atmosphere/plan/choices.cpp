@@ -49,9 +49,10 @@ private:
     [[nodiscard]] const PlanCandidate* otherwise(const std::string& what) const {
         Setting other = plan_.setting;
         if (std::erase(other.without, what) == 0) other.without.push_back(what);
+        const bool any_number = what == "wavelengths";  // without them it makes no difference how many there were
         const auto same = [&](const PlanCandidate& one) {
             return one.excluded.empty() && one.setting.model == other.model && one.setting.quality == other.quality &&
-                   one.setting.spectral == other.spectral &&
+                   (any_number || one.setting.spectral == other.spectral) &&
                    std::set(one.setting.without.begin(), one.setting.without.end()) ==
                        std::set(other.without.begin(), other.without.end());
         };

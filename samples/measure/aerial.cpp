@@ -34,8 +34,8 @@ void check_views(std::span<const AerialView> views) {
 }
 
 Camera camera_of(const Planet& planet, const AerialView& view) {
-    return look(planet.bottom_radius_m, std::max(view.altitude_km, 0.0) * 1000, view.azimuth_deg * degree, 0, vertical_fov_deg * degree,
-                static_cast<double>(aerial_width) / aerial_height);
+    return look(planet.bottom_radius_m, std::max(view.altitude_km, 0.0) * 1000, view.azimuth_deg * degree, 0,
+                vertical_fov_deg * degree, static_cast<double>(aerial_width) / aerial_height);
 }
 
 /// Calls `visit(pixel, direction in the camera's axes)`.
@@ -218,7 +218,9 @@ private:
 
 }  // namespace
 
-double geometry_radiance(double sun_zenith_deg) { return overhead_radiance * std::max(std::cos(sun_zenith_deg * degree), least_cosine); }
+double geometry_radiance(double sun_zenith_deg) {
+    return overhead_radiance * std::max(std::cos(sun_zenith_deg * degree), least_cosine);
+}
 
 TraceParameters aerial_parameters() {
     return {{"pixels", std::to_string(aerial_width) + "x" + std::to_string(aerial_height)},

@@ -24,7 +24,7 @@ class ModelAir;
 /// A table that a model keeps, as its settings have it.
 struct ModelTable {
     std::string name;      ///< "transmittance table", "multi-scatter table", "sky-view table", "froxels" ...
-    rhi::Extent size{};    ///< Nodes on its axes; in `layers` a texture may have more rows.
+    rhi::Extent size{};    ///< Nodes on its axes, of one layer and one sun: the texture may have more rows.
     rhi::Format format{};  ///< Where the device can filter it.
     std::string samples;   ///< What each texel is made of: "8 nodes a ray".
 };

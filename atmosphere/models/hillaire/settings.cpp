@@ -6,7 +6,7 @@
 namespace aureole::models {
 
 void validate(const HillaireSettings& s) {
-    constexpr double most_steps = 256;
+    constexpr double most_steps = 4096;
     detail::check_size_2d("hillaire.transmittance", s.transmittance, 2, 4096);
     detail::check("hillaire.transmittance_steps", s.transmittance_steps, 1, most_steps);
     detail::check_size_2d("hillaire.multi_scatter", s.multi_scatter, 2, 256);
@@ -39,12 +39,12 @@ HillaireSettings HillaireSettings::high() {
 HillaireSettings HillaireSettings::converged() {
     HillaireSettings s = high();
     s.transmittance = {512, 128, 1};
-    s.transmittance_steps = 128;
-    s.multi_scatter = {64, 48, 1};
-    s.multi_scatter_steps = 128;
+    s.transmittance_steps = 1024;    // even steps: the error halves only as they double
+    s.multi_scatter = {256, 32, 1};  // the widest that any device takes; twilight is a few texels of it
+    s.multi_scatter_steps = 256;
     s.sky_view = {128, 192, 1};  // for the light table alone
     s.sky_view_steps = 64;
-    s.march_steps = 256;
+    s.march_steps = 512;
     s.table_format = s.froxel_format = rhi::Format::rgba32_float;
     return s;
 }

@@ -13,16 +13,16 @@ namespace aureole::models {
 /// from the constructor of Atmosphere or View. Defaults are as published, with sky and aerial perspective by their tables.
 struct HillaireSettings {
     rhi::Extent transmittance{256, 64, 1};  ///< View-zenith x altitude texels. Each in [2, 4096]; depth of 2D tables is 1.
-    int transmittance_steps = 40;           ///< Even steps to the top of the air, in [1, 256].
+    int transmittance_steps = 40;           ///< Even steps to the top of the air, in [1, 4096].
 
     rhi::Extent multi_scatter{32, 32, 1};  ///< Sun-cosine x altitude texels. Each in [2, 256]; width x height at most half of
                                            ///< what the device takes as a 2D texture's side.
-    int multi_scatter_steps = 20;          ///< Even steps on each of the 64 rays of a texel, in [1, 256].
+    int multi_scatter_steps = 20;          ///< Even steps on each of the 64 rays of a texel, in [1, 4096].
 
     bool fast_sky = true;               ///< The sky from the sky-view table; false: a march for each pixel.
     rhi::Extent sky_view{200, 100, 1};  ///< Azimuth x elevation texels. Each in [4, 4096]; elevations even: half of them below
                                         ///< the horizon, half above. The light table (ViewSettings::light) needs it too.
-    int sky_view_steps = 30;            ///< Steps for each texel, growing with distance, in [1, 256].
+    int sky_view_steps = 30;            ///< Steps for each texel, growing with distance, in [1, 4096].
 
     bool fast_aerial_perspective = true;         ///< Aerial perspective from the froxels; false: a march for each pixel.
     rhi::Extent aerial_perspective{32, 32, 32};  ///< Screen x screen x slices, each froxel with a march of two steps a slice.
@@ -30,7 +30,7 @@ struct HillaireSettings {
     bool grey_transmittance = true;  ///< Aerial perspective dims all colours by the mean of their transmittances, as published
                                      ///< (one number in alpha); false: each colour by its own.
 
-    int march_steps = 30;  ///< Steps of a march for a pixel, growing with distance, in [1, 256]. Ignored where both are fast.
+    int march_steps = 30;  ///< Steps of a march for a pixel, growing with distance, in [1, 4096]. Ignored where both are fast.
 
     rhi::Format table_format = rhi::Format::rgba16_float;   ///< 2D tables: rgba16_ or rgba32_float.
     rhi::Format froxel_format = rhi::Format::rgba16_float;  ///< Froxels: the same choice.

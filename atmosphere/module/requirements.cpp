@@ -1,6 +1,6 @@
 #include "module/requirements.h"
 
-#include "multi_scatter/moments.h"
+#include "multi_scatter/extents.h"
 
 #include <algorithm>
 #include <string>
@@ -15,11 +15,12 @@ namespace {
 /// The longest side of the multi-scatter tables, at the most that an air may get (Model::quality_for); 0: there are none.
 std::uint32_t multi_scatter_side(const QualitySettings& quality) {
     if (quality.multi_scatter_orders == 0) return 0;
+    QualitySettings most = quality;
     const int least = quality.angular_order_as_needed ? quality.angular_order + 2 : 0;
-    const auto directions = static_cast<std::uint32_t>(2 * std::max(quality.multi_scatter_zenith, least) *
-                                                       std::max(quality.multi_scatter_azimuth, least));
-    const std::uint32_t height = quality.multi_scatter.height;
-    return std::max({quality.multi_scatter.width, height * moment_count(quality.angular_order) + 1, height * directions});
+    most.multi_scatter_zenith = std::max(most.multi_scatter_zenith, least);
+    most.multi_scatter_azimuth = std::max(most.multi_scatter_azimuth, least);
+    return std::max(
+        {quality.multi_scatter.width, multi_scatter_table_extent(most).height, multi_scatter_rays_extent(most).height});
 }
 
 }  // namespace

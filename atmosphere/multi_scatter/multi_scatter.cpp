@@ -1,6 +1,6 @@
 #include "multi_scatter/multi_scatter.h"
 
-#include "multi_scatter/moments.h"
+#include "multi_scatter/extents.h"
 #include "multi_scatter/order_ratio.h"
 #include "quadrature/gauss_legendre.h"
 
@@ -26,11 +26,6 @@ rhi::Format table_format(const rhi::Device& device) {
     return filtered ? rhi::Format::rgba32_float : rhi::Format::rgba16_float;
 }
 
-/// One layer of altitude rows a moment, and a row for the ground.
-rhi::Extent table_extent(const QualitySettings& quality) {
-    return {quality.multi_scatter.width, quality.multi_scatter.height * moment_count(quality.angular_order) + 1, 1};
-}
-
 /// Highest Legendre degree of the phase function that `azimuths` directions on a half circle can tell from lower ones, when the
 /// result is wanted up to degree 2 or so.
 int sharpest_degree(int azimuths) { return std::clamp(2 * azimuths - 3, 2, 11); }
@@ -50,7 +45,7 @@ glm::vec4 sun_mapping(const Planet& planet) {
 MultiScatterPass::MultiScatterPass(AirResources& shared, TrackedTexture& transmittance, double ratio)
     : shared_(shared), transmittance_(transmittance), ratio_(ratio) {
     table_ = shared.objects.texture({"multi_scatter", rhi::Dimension::d2, table_format(shared.objects.device()),
-                                     table_extent(shared.quality), table_usage});
+                                     multi_scatter_table_extent(shared.quality), table_usage});
     create();
 }
 
@@ -66,9 +61,8 @@ MultiScatterPass::Inputs MultiScatterPass::live() const {
 void MultiScatterPass::create() {
     Objects& objects = shared_.objects;
     const QualitySettings& quality = shared_.quality;
-    const auto directions = static_cast<std::uint32_t>(2 * quality.multi_scatter_zenith * quality.multi_scatter_azimuth);
-    const rhi::Extent ray_extent{quality.multi_scatter.width, quality.multi_scatter.height * directions, 1};
-    rays_ = objects.texture({"multi_scatter rays", rhi::Dimension::d2, moment_format, ray_extent, table_usage});
+    rays_ = objects.texture(
+        {"multi_scatter rays", rhi::Dimension::d2, moment_format, multi_scatter_rays_extent(quality), table_usage});
     const rhi::Format order_format = table_format(objects.device());  // filtered too, as the source of the next order
     for (int i = 0; i < 2; ++i) {
         order_[i] = objects.texture({"multi_scatter order", rhi::Dimension::d2, order_format, table_.extent, table_usage});

@@ -1,7 +1,7 @@
 #include "plan/work.h"
 
 #include "common/pack_atmosphere.h"
-#include "multi_scatter/moments.h"
+#include "multi_scatter/extents.h"
 #include "multi_scatter/order_ratio.h"
 #include "sky_view/sky_view.h"
 
@@ -23,9 +23,9 @@ public:
           node_(node),
           moments_(quality.multi_scatter_orders > 0 ? moment_count(quality.angular_order) : 0),
           passes_(passes_for(order_ratio(air, quality.ground_light), quality.multi_scatter_orders)),
-          directions_(2.0 * quality.multi_scatter_zenith * quality.multi_scatter_azimuth),
-          rays_(texels(quality.multi_scatter) * directions_),
-          table_(double(quality.multi_scatter.width) * (quality.multi_scatter.height * moments_ + 1)) {}
+          directions_(multi_scatter_directions(quality)),
+          rays_(texels(multi_scatter_rays_extent(quality))),
+          table_(texels(multi_scatter_table_extent(quality))) {}
 
     [[nodiscard]] double moments() const { return moments_; }
     [[nodiscard]] double reads() const {

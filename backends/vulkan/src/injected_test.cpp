@@ -6,7 +6,6 @@
 #include <array>
 #include <map>
 #include <optional>
-#include <set>
 
 #include "aureole_rhi_conformance_shaders.h"
 #include "result.h"

@@ -7,9 +7,9 @@ real scene_distance(ivec2 pixel, ViewRay ray) {
     if (!SCENE_DEPTH) return real(-1);
     real d = texelFetch(scene_depth, pixel, 0).x;
     real divisor = view.depth.z * d + view.depth.w;
-    real depth = (view.depth.x * d + view.depth.y) / divisor;
     // The far end of the depth range is nothing; at infinity the divisor vanishes; 1e7 km is beyond any geometry.
-    bool there = d != view.composite.z && abs(divisor) > real(1e-12) && depth > 0 && depth < real(1e7);
+    real depth = abs(divisor) > real(1e-12) ? (view.depth.x * d + view.depth.y) / divisor : real(-1);
+    bool there = d != view.composite.z && depth > 0 && depth < real(1e7);
     return there ? depth * ray.stretch : real(-1);
 }
 

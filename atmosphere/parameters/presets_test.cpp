@@ -32,6 +32,13 @@ void check_term(const AtmosphereParameters& air, const char* name, const Rgb& de
     CHECK(found);
 }
 
+/// Bodhaine et al. 1999, equation 30: cross-section of a molecule of air, m^2.
+double bodhaine(double nm) {
+    const double um2 = nm * nm * 1e-6;
+    return 1e-32 * (1.0455996 - 341.29061 / um2 - 0.90230850 * um2) / (1 + 0.0027059889 / um2 - 85.968563 * um2);
+}
+constexpr double red_nm = 680, green_nm = 550, blue_nm = 440;
+
 }  // namespace
 
 TEST_CASE("presets: earth") {
@@ -83,6 +90,15 @@ TEST_CASE("presets: airless") {
 TEST_CASE("presets: us_standard_1976") {
     const AtmosphereParameters air = presets::us_standard_1976();
     CHECK(std::holds_alternative<TabulatedProfile>(air.terms.at(0).profile));
+    // 2.152e29 molecules over a square metre at sea level.
+    const Rgb molecules = 2.152e29 * Rgb(bodhaine(red_nm), bodhaine(green_nm), bodhaine(blue_nm));
+    // 5.328e-3 of aerosol in all colours; 300 Dobson units of ozone, each colour between two bins.
+    const Rgb ozone = 300 * 2.6867e20 * Rgb(1.341e-25, 3.2955e-25, 1.21355e-26);
+    check_rgb(vertical_optical_depth(air, "rayleigh"), molecules, 2e-3);
+    check_term(air, "mie", Rgb(5.328e-3), Rgb(0.9));
+    check_term(air, "ozone", ozone, Rgb(0));
+    check_rgb(albedo(air.terms[0]), Rgb(1), 1e-15);
+    check_rgb(vertical_optical_depth(air), molecules + Rgb(5.328e-3) + ozone, 2e-3);
     // Bodhaine 1999, table 3: Rayleigh optical depth 0.0974 at 550 nm, 1013.25 hPa and 45 degrees of latitude (0.09748).
     CHECK(vertical_optical_depth(air, "rayleigh").g == doctest::Approx(0.0975).scale(1e-300).epsilon(0.01));
     // Half the density at 6.66 km, a hundredth at 32.64 km.
@@ -97,8 +113,13 @@ TEST_CASE("presets: titan") {
     const AtmosphereParameters air = presets::titan();
     // 1.135e26 / 2.547e25 = 4.455 times the molecules of air at sea level, over 20 km: 4.455 x 1.149e-5 x 20e3 = 1.02.
     CHECK(vertical_optical_depth(air, "rayleigh").g == doctest::Approx(1.02).scale(1e-300).epsilon(0.01));
+    check_rgb(vertical_optical_depth(air, "rayleigh"),
+              1.1346e26 * 20e3 * Rgb(bodhaine(red_nm), bodhaine(green_nm), bodhaine(blue_nm)), 2e-3);
     // 5.65 % of 4.223 amagat, 0.1 per km-amagat, 12 km.
     CHECK(vertical_optical_depth(air, "methane").r == doctest::Approx(0.2386 * 0.1 * 12).scale(1e-300).epsilon(0.002));
+    check_rgb(vertical_optical_depth(air, "methane"), 0.2386 * 12 * Rgb(0.1, 0.02, 0.002), 0.002);
+    check_rgb(albedo(air.terms[0]), Rgb(1), 1e-15);
+    check_rgb(albedo(air.terms[1]), Rgb(0), 1e-15);
     check_term(air, "haze", Rgb(4, 6, 9) * (1 - std::exp(-12.0)), {0.95, 0.87, 0.72});
 }
 

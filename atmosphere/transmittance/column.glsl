@@ -35,7 +35,6 @@ vec3 column(real altitude, real mu, real t0, real t1, bool upwards) {
         int kind = term_kind(i);
         int parts = kind == PROFILE_TENT ? 2 : (kind == PROFILE_TABULATED ? 8 : 1);
         real tip = atm.term_profile[i].x;
-        real half_width = 1 / atm.term_profile[i].y;
         real sum = real(0);
         int part = 0;
         do {  // tested at the end: see march.glsl. One place that integrates: kernels with many columns stay short
@@ -44,6 +43,7 @@ vec3 column(real altitude, real mu, real t0, real t1, bool upwards) {
             real from = upwards ? mix(t0, t1, a * a) : mix(t1, t0, b * b);
             real to = upwards ? mix(t0, t1, b * b) : mix(t1, t0, a * a);
             if (kind == PROFILE_TENT) {
+                real half_width = 1 / atm.term_profile[i].y;
                 real outer = part == 0 ? tip - half_width : tip + half_width;
                 real p = clamp(distance_to_altitude(altitude, mu, max(outer, real(0)), upwards), t0, t1);
                 real q = clamp(distance_to_altitude(altitude, mu, max(tip, real(0)), upwards), t0, t1);

@@ -8,6 +8,7 @@ import atexit
 import json
 import os
 import pathlib
+import resource
 import shutil
 import signal
 import subprocess
@@ -23,8 +24,9 @@ FOLDER = pathlib.Path('cli')
 failures = []
 
 
-def run(*arguments):
-    return subprocess.run([AUREOLE, *map(str, arguments)], capture_output=True, text=True, timeout=240)
+def run(*arguments, file_bytes=None):
+    limit = None if file_bytes is None else lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (file_bytes, file_bytes))
+    return subprocess.run([AUREOLE, *map(str, arguments)], capture_output=True, text=True, timeout=240, preexec_fn=limit)
 
 
 def timed(check, *arguments):
@@ -45,10 +47,10 @@ def works(*arguments):
     return result.stdout
 
 
-def fails(part, *arguments):
+def fails(part, *arguments, file_bytes=None):
     """Exit code 2, one line on stderr that holds `part`, and no new file."""
     before = sorted(FOLDER.iterdir())
-    result = run(*arguments)
+    result = run(*arguments, file_bytes=file_bytes)
     lines = result.stderr.splitlines()
     expect(result.returncode == 2 and len(lines) == 1 and lines[0].startswith('aureole: ') and part in lines[0],
            f'fails with {part!r}: {arguments}', result)
@@ -147,6 +149,28 @@ def check_render_faults():
     fails('--size 16384x20 with --samples 2: a composite of 32768x40', 'render', noon, *out, '--size', '16384x20')
     fails('--size: 16384x9 is not allowed; allowed: one side', 'render', noon, *out, '--size', '16384x9')
     fails('--size 9x8192 with --samples 4: a composite of 36x32768', 'render', noon, *out, '--size', '9x8192', '--samples', '4')
+
+
+def check_places_that_take_no_files():
+    """Folders that are none, that not even root may write to, and files that may not grow (SIGXFSZ)."""
+    noon, small = SCENES / 'noon.toml', ['--size', '64x36', '--quality', 'low', '--samples', 1, '--model', 'fog', *BACKEND]
+    plain, old = put('plain', 'text'), put('old.png', 'old')
+    fails(f'{plain}/x.png: cannot be written: there is no folder {plain}', 'render', noon, *small, '-o', plain / 'x.png')
+    fails('/proc/x.png: cannot be written', 'render', noon, *small, '-o', '/proc/x.png')
+    fails(f'{plain}/x.toml: there is no such file', 'render', plain / 'x.toml', *small, '-o', FOLDER / 'x.png')
+    for name in ('old.png', 'new.exr'):
+        fails(f'{name}: cannot be written', 'render', noon, *small, '-o', FOLDER / name, file_bytes=100)
+    rows = put('in.csv', 'sun_zenith_deg,altitude_km,view_zenith_deg,azimuth_deg\n' + '30,0.2,10,45\n' * 20)
+    fails('new.csv: cannot be written', 'probe', '--scene', noon, '--directions', rows, '--model', 'fog', *BACKEND, '-o',
+          FOLDER / 'new.csv', file_bytes=100)
+    trace = ['trace', '--preset', 'airless', '--directions', rows, *BACKEND, '--max-paths', 4096, '-o', FOLDER / 'new.csv']
+    result = run(*trace, '--checkpoint', FOLDER / 'new.json', file_bytes=100)
+    said = [line for line in result.stderr.splitlines() if line.startswith('aureole: ')]
+    expect(result.returncode == 2 and said == [f'aureole: {FOLDER}/new.json: cannot be written (is the disk full?)'],
+           'a checkpoint that cannot be written is told', result)
+    expect(not list(FOLDER.glob('*new.*')), 'and leaves nothing')
+    fails('new.md: cannot be written', 'report', SCENES.parent / 'report/example.json', '--markdown', FOLDER / 'new.md', file_bytes=100)
+    expect(old.read_bytes() == b'old', 'a file that cannot be replaced stays')
 
 
 def check_options_of_another_backend():
@@ -439,6 +463,7 @@ FOLDER.mkdir()
 timed(check_help)
 timed(check_render)
 timed(check_render_faults)
+timed(check_places_that_take_no_files)
 timed(check_options_of_another_backend)
 timed(check_interrupted_sequence)
 timed(check_score, timed(check_probe))

@@ -7,6 +7,7 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <new>
 #include <string>
@@ -39,6 +40,7 @@ void name_unknown_command(const CLI::App& program, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit (ulimit -f) is told like a full disk
     spdlog::set_default_logger(spdlog::stderr_logger_mt("aureole"));
     spdlog::set_pattern("aureole: %l: %v");
     spdlog::set_level(spdlog::level::warn);

@@ -126,6 +126,9 @@ void read_checkpoint(const std::filesystem::path& path, const TraceParameters& p
         compare(path, file.at("directions"), tracer.rows());
         for (const json& state : file.at("states")) {
             TraceState& read = states.emplace_back();
+            if (!state.at(0).is_number_unsigned())  // 1e300 as a whole number would be anything
+                throw Error(ErrorCode::invalid_argument, path.string() + ": rounds", show_json(state.at(0)),
+                            "a whole number, >= 0");
             read.rounds = state.at(0).get<std::uint64_t>();
             for (const json& tally : state.at(1)) read.tallies.push_back({unpack(tally.at(0)), unpack(tally.at(1))});
         }

@@ -311,6 +311,13 @@ TEST_CASE("trace: another trace's checkpoint is refused by what differs") {
         const auto bad = put("bad.json", text);
         CHECK(complaint([&] { read_checkpoint(bad, parameters, tracer); }) == "bad.json: not a checkpoint of trace");
     }
+    const std::string text = get("right.json");  // ..."states":[[1,[
+    const std::size_t rounds = text.find("[[", text.find("states")) + 2;
+    for (const std::string count : {"1e300", "-1", "1.5", "true"}) {
+        CAPTURE(count);
+        const auto bad = put("bad.json", std::string(text).replace(rounds, 1, count));
+        CHECK(contains(complaint([&] { read_checkpoint(bad, parameters, tracer); }), "bad.json: rounds: "));
+    }
     CHECK(contains(complaint([&] { read_checkpoint("none.json", parameters, tracer); }), "there is no such file"));
     CHECK(tracer.states() == states);
     CHECK(contains(complaint([&] { tracer.restore({}); }), "as many as there are rows"));

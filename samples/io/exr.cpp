@@ -1,3 +1,4 @@
+#include "io/exr_header.h"
 #include "io/file.h"
 #include "io/image.h"
 
@@ -32,8 +33,8 @@ std::string height_channel(const Imf::ChannelList& channels, const std::string& 
                 "Y, R, or a single channel");
 }
 
-/// The header alone, by OpenEXR's core library, which compares every length with the file's: the C++ reader behind it asks for
-/// as many bytes as an attribute promises, and for as many lines as the header does.
+/// The header alone, by OpenEXR's core library, which compares it with the file's length: the C++ reader behind it asks for as
+/// many lines as the header promises.
 Imath::Box2i data_window(const std::filesystem::path& path) {
     struct Context {
         ~Context() { exr_finish(&file); }
@@ -51,8 +52,8 @@ Imath::Box2i data_window(const std::filesystem::path& path) {
 }  // namespace
 
 GreyImage read_exr_grey(const std::filesystem::path& path) {
-    (void)read_file(path);  // says in our words what is wrong with the name
     try {
+        check_exr_header(read_file(path));  // which says in our words what is wrong with the name
         const Imath::Box2i window = data_window(path);
         const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
         const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;

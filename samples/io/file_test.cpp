@@ -87,5 +87,9 @@ TEST_CASE("NewFile: places that take no file") {
     CHECK(contains(complaint([] { write_text("folder/", "x"); }), "is a folder"));
     CHECK(complaint([] { write_text("no_folder/file", "x"); }) ==
           "no_folder/file: cannot be written: there is no folder no_folder");
+    put("plain", "text");
+    CHECK(complaint([] { write_text("plain/file", "x"); }) == "plain/file: cannot be written: there is no folder plain");
+    CHECK(complaint([] { (void)read_text("plain/file"); }) == "plain/file: there is no such file");
+    CHECK(complaint([] { write_text("/proc/file", "x"); }) == "/proc/file: cannot be written");  // not even for root
     CHECK(files_in("folder") == 0);
 }

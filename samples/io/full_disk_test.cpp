@@ -23,23 +23,28 @@ int status_of(const std::function<bool()>& action) {
     return status;
 }
 
-/// In a process whose files cannot grow beyond so many bytes: to those who write it looks like a full disk.
-std::string complaint_on_full_disk(rlim_t bytes, const std::function<void()>& action) {
+/// In a process that has no more than `most` of something.
+std::string complaint_within(decltype(RLIMIT_FSIZE) resource, rlim_t most, const std::function<void()>& action) {
     std::filesystem::remove("complaint");
     const int status = status_of([&] {
         std::signal(SIGXFSZ, SIG_IGN);
         rlimit limit{};
-        getrlimit(RLIMIT_FSIZE, &limit);
+        getrlimit(resource, &limit);
         const rlimit whole = limit;
-        limit.rlim_cur = bytes;
-        setrlimit(RLIMIT_FSIZE, &limit);
+        limit.rlim_cur = most;
+        setrlimit(resource, &limit);
         const std::string said = complaint(action);
-        setrlimit(RLIMIT_FSIZE, &whole);
+        setrlimit(resource, &whole);
         put("complaint", said);
         return true;
     });
     CHECK(status == 0);
     return get("complaint");
+}
+
+/// Files that cannot grow: to those who write it looks like a full disk.
+std::string complaint_on_full_disk(rlim_t bytes, const std::function<void()>& action) {
+    return complaint_within(RLIMIT_FSIZE, bytes, action);
 }
 
 struct Writer {
@@ -88,6 +93,21 @@ TEST_CASE("a full disk: every writer says so, leaves the old file and nothing el
             CHECK(complaint_on_full_disk(size, writer.write) == "nothing");
             CHECK(std::filesystem::file_size("full/old") == size);
         }
+}
+
+TEST_CASE("files that cannot be opened: reader and writers name them, and nothing is left") {
+    constexpr rlim_t none = 3;  // what is open already
+    put("closed", "text");
+    CHECK(complaint_within(RLIMIT_NOFILE, none, [] { (void)read_text("closed"); }) == "closed: cannot be read");
+    for (const Writer& writer : writers(4)) {
+        CAPTURE(writer.name);
+        std::filesystem::remove_all("full");
+        std::filesystem::create_directory("full");
+        put("full/old", "old");
+        CHECK(complaint_within(RLIMIT_NOFILE, none, writer.write) == "full/old: cannot be written");
+        CHECK(get("full/old") == "old");
+        CHECK(files_in("full") == 1);
+    }
 }
 
 TEST_CASE("a program that is killed while it writes leaves the old file, or none") {

@@ -2,7 +2,7 @@
 # libFuzzer on every reader: tests/fuzz/run.sh [SECONDS [READER...]]
 #
 #   SECONDS  of each reader; 60 if not given
-#   READER   scene suite measurements npz exr png csv parameters settings; all if none is given
+#   READER   scene suite measurements checkpoint npz exr png csv parameters settings; all if none is given
 #
 # Needs clang++ with its sanitizers (Debian: clang libclang-rt-14-dev). New inputs that reach new code gather in build/fuzz/found,
 # and the next run starts from them; what a reader fails at is left in build/fuzz/failed.
@@ -13,7 +13,7 @@ seconds=${1:-60}
 [ $# = 0 ] || shift
 [[ $seconds =~ ^[1-9][0-9]*$ ]] || { sed -n '2,5s/^# \{0,1\}//p' tests/fuzz/run.sh >&2; exit 2; }
 readers=("$@")
-[ ${#readers[@]} != 0 ] || readers=(scene suite measurements npz exr png csv parameters settings)
+[ ${#readers[@]} != 0 ] || readers=(scene suite measurements checkpoint npz exr png csv parameters settings)
 
 cmake/build.sh fuzz "${readers[@]/#/fuzz_}"
 
@@ -26,10 +26,10 @@ for reader in "${readers[@]}"; do
     options=(-max_total_time="$seconds" -timeout=10 -rss_limit_mb=3072 -malloc_limit_mb=1536 -print_final_stats=1
              -artifact_prefix="$artifacts/")
     case $reader in
-        measurements | suite | scene) options+=(-max_len=16384) ;;
+        measurements | checkpoint | suite | scene) options+=(-max_len=16384) ;;
         *) options+=(-max_len=4096) ;;
     esac
-    # OpenEXR asks for what an attribute promises, below 2 GiB, and gives it back untouched when the file ends before that.
+    # OpenEXR makes room for the lines or the tiles of all channels, below 2 GiB.
     [ "$reader" != exr ] || options+=(-malloc_limit_mb=2048)
     [ ! -f "tests/fuzz/$reader.dict" ] || options+=(-dict="tests/fuzz/$reader.dict")
     echo "== $reader, $seconds s"

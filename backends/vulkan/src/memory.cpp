@@ -114,7 +114,7 @@ VkDeviceSize Memory::block_size(std::uint32_t type, VkDeviceSize need) const {
     return need > shared / 2 ? need : shared;
 }
 
-VkResult Memory::add_block(std::uint32_t type, VkDeviceSize size, MemoryLayout layout) {
+Memory::Answer Memory::add_block(std::uint32_t type, VkDeviceSize size, MemoryLayout layout) {
     blocks_.reserve(blocks_.size() + 1);
     VkMemoryAllocateInfo info = {};
     info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
@@ -122,7 +122,7 @@ VkResult Memory::add_block(std::uint32_t type, VkDeviceSize size, MemoryLayout l
     info.memoryTypeIndex = type;
     auto block = std::make_unique<Block>(Block{VK_NULL_HANDLE, type, layout, nullptr, FreeRanges(size)});
     VkResult result = functions_.vkAllocateMemory(device_, &info, nullptr, &block->memory);
-    if (result < VK_SUCCESS) return result;
+    if (result < VK_SUCCESS) return {result, "vkAllocateMemory"};
     const VkMemoryPropertyFlags flags = types_.memoryTypes[type].propertyFlags;
     const VkMemoryPropertyFlags cpu = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     if (layout == MemoryLayout::linear && (flags & cpu) == cpu) {
@@ -130,12 +130,12 @@ VkResult Memory::add_block(std::uint32_t type, VkDeviceSize size, MemoryLayout l
         result = functions_.vkMapMemory(device_, block->memory, 0, VK_WHOLE_SIZE, 0, &mapped);
         if (result < VK_SUCCESS) {
             functions_.vkFreeMemory(device_, block->memory, nullptr);
-            return result;
+            return {result, "vkMapMemory"};
         }
         block->mapped = static_cast<std::byte*>(mapped);
     }
     blocks_.push_back(std::move(block));
-    return VK_SUCCESS;
+    return {};
 }
 
 Memory::Allocation Memory::allocate(const VkMemoryRequirements& need, MemoryUse use, MemoryLayout layout,
@@ -144,17 +144,17 @@ Memory::Allocation Memory::allocate(const VkMemoryRequirements& need, MemoryUse 
     if (need.size > max_allocation_size_)
         throw Error(ErrorCode::out_of_memory, wanted + " are more than the " + std::to_string(max_allocation_size_) +
                                                   " bytes that the device gives at a time");
-    VkResult result = VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    Answer answer{VK_ERROR_OUT_OF_DEVICE_MEMORY, "vkAllocateMemory"};
     for (std::uint32_t type : candidate_types(need.memoryTypeBits, use)) {
         if (auto allocation = take_from_blocks(type, need, layout)) return *allocation;
         if (blocks_.size() >= max_allocation_count_)
             throw Error(ErrorCode::out_of_memory, wanted + " would be one more than the " +
                                                       std::to_string(max_allocation_count_) + " allocations the device allows");
-        result = add_block(type, block_size(type, need.size), layout);
-        if (result == VK_SUCCESS) return *take_from_blocks(type, need, layout);
-        if (error_code(result) != ErrorCode::out_of_memory) break;
+        answer = add_block(type, block_size(type, need.size), layout);
+        if (answer.result == VK_SUCCESS) return *take_from_blocks(type, need, layout);
+        if (error_code(answer.result) != ErrorCode::out_of_memory) break;
     }
-    check_result(result, "vkAllocateMemory", wanted);
+    check_result(answer.result, answer.call, wanted);
     return {};
 }
 

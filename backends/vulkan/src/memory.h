@@ -71,7 +71,12 @@ private:
     [[nodiscard]] std::vector<std::uint32_t> candidate_types(std::uint32_t allowed, MemoryUse use) const;
     [[nodiscard]] std::optional<Allocation> take_from_blocks(std::uint32_t type, const VkMemoryRequirements& need,
                                                              MemoryLayout layout);
-    [[nodiscard]] VkResult add_block(std::uint32_t type, VkDeviceSize size, MemoryLayout layout);
+    /// What the last call returned, and which it was.
+    struct Answer {
+        VkResult result = VK_SUCCESS;
+        const char* call = "";
+    };
+    [[nodiscard]] Answer add_block(std::uint32_t type, VkDeviceSize size, MemoryLayout layout);
     [[nodiscard]] VkDeviceSize block_size(std::uint32_t type, VkDeviceSize need) const;
 
     const DeviceFunctions& functions_;

@@ -71,8 +71,8 @@ void Queue::wait_for_fence() {
     const auto& fn = context_.fn;
     check_result(fn.vkWaitForFences(context_.device, 1, &fence_, VK_TRUE, std::numeric_limits<std::uint64_t>::max()),
                  "vkWaitForFences", "queue");
-    in_flight_ = false;
     check_result(fn.vkResetFences(context_.device, 1, &fence_), "vkResetFences", "queue");
+    in_flight_ = false;  // not before: nothing may be submitted with a fence that is still signalled
 }
 
 }  // namespace aureole::vulkan

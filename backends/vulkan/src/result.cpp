@@ -40,6 +40,8 @@ const char* to_string(VkResult result) noexcept {
             return "VK_ERROR_FRAGMENTED_POOL";
         case VK_ERROR_OUT_OF_POOL_MEMORY:
             return "VK_ERROR_OUT_OF_POOL_MEMORY";
+        case VK_ERROR_INVALID_SHADER_NV:
+            return "VK_ERROR_INVALID_SHADER_NV";
         case VK_ERROR_UNKNOWN:
             return "VK_ERROR_UNKNOWN";
         default:

@@ -9,7 +9,7 @@
 
 namespace aureole::vulkan {
 
-/// Name of a result, e.g. "VK_ERROR_DEVICE_LOST"; "VkResult" for one that Vulkan 1.1 does not have.
+/// Name of a result, e.g. "VK_ERROR_DEVICE_LOST"; "VkResult" for those that nobody expects.
 [[nodiscard]] const char* to_string(VkResult result) noexcept;
 
 /// Device loss, memory, missing things; everything else is `internal`.

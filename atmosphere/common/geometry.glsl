@@ -71,6 +71,12 @@ real distance_to_ground(real altitude, real mu) {
     return c / max(root - b, real(1e-20));
 }
 
+// The same of a ray whose line is known to have its lowest point at the altitude `lowest` <= 0: exact near the horizon.
+real distance_to_ground_over(real altitude, real mu, real lowest) {
+    real b = (bottom_radius() + altitude) * mu;
+    return squares_apart(real(0), altitude) / max(sqrt(max(squares_apart(lowest, real(0)), real(0))) - b, real(1e-20));
+}
+
 bool hits_ground(real altitude, real mu) { return mu < horizon_mu(altitude); }
 
 // A ray inside the shell with the sun's place relative to it: mu_s is the sun's zenith cosine at the start, nu the cosine

@@ -60,11 +60,20 @@ ViewDirection view_direction(vec3 direction) {
 
 real sine_above_horizon(ViewDirection v) { return sine_above_horizon(v.mu, v.sine); }
 
+// Altitude of the lowest point of a direction's line, from its angle to the horizon (sky_view/camera_ray.glsl): the difference of
+// r sin and R would be off by a step of r, which is a large part of a thin shell.
+real lowest_altitude(ViewDirection v) {
+    real half_sine = min(real(0.5) * chord_to_horizon(v.mu, v.sine), real(1));
+    real q = sine_above_horizon(v) < 0 ? -half_sine : half_sine;
+    real half_cosine = sqrt(max(1 - q * q, real(0)));
+    return 2 * (bottom_radius() + view.space.x) * (view.horizon.y * half_cosine - view.horizon.x * q) * q;
+}
+
 // Distance at which a camera above the air enters it, 0 inside it, -1 if the ray misses it.
 real distance_to_air(ViewDirection v) {
     if (view.camera.w < real(0.5)) return real(0);
     real r = bottom_radius() + view.space.x;
-    real lowest = r * v.sine - bottom_radius();  // altitude of the line's lowest point
+    real lowest = lowest_altitude(v);
     if (v.mu >= 0 || lowest > shell_thickness()) return real(-1);
     return max(-r * v.mu - half_chord(lowest), real(0));
 }
@@ -76,7 +85,8 @@ Ray air_ray(ViewDirection v, real entry, int sun, real nu) {
     real top = bottom_radius() + shell_thickness();
     bool space = view.camera.w > real(0.5);
     ray.altitude = view.camera.x;
-    ray.mu = space ? clamp((r * v.mu + entry) / top, real(-1), real(1)) : v.mu;
+    ray.mu = v.mu;
+    if (space) ray.mu = entry > 0 ? -half_chord(lowest_altitude(v)) / top : clamp(r * v.mu / top, real(-1), real(1));
     ray.nu = nu;
     ray.mu_s = space ? clamp((r * view.sun_direction[sun].w + entry * nu) / top, real(-1), real(1)) : view.sun_direction[sun].w;
     ray.ground = false;
@@ -89,7 +99,7 @@ Ray air_ray(ViewDirection v, real entry, int sun, real nu) {
 Ray camera_air_ray(ViewDirection v, real entry, int sun, real nu) {
     Ray ray = air_ray(v, max(entry, real(0)), sun, clamp(nu, real(-1), real(1)));
     ray.ground = sine_above_horizon(v) < 0;
-    ray.end = ray.ground ? distance_to_ground(ray.altitude, ray.mu) : distance_to_top(ray.altitude, ray.mu);
+    ray.end = ray.ground ? distance_to_ground_over(ray.altitude, ray.mu, lowest_altitude(v)) : distance_to_top(ray.altitude, ray.mu);
     if (entry < 0) ray.end = real(0);
     return ray;
 }

@@ -3,6 +3,8 @@
 
 #include "models/model.h"
 
+#include <aureole/envelope.h>
+
 #include <memory>
 #include <vector>
 
@@ -94,6 +96,10 @@ struct Atmosphere::Impl {
     std::unique_ptr<detail::AirTables> tables;
     std::vector<detail::AirUser*> users;
     std::vector<PassReport> reports;
+    bool half_sky = false;                   // as keeps_sky_in_half says
+    std::vector<OutsideEnvelope> outside{};  // and told
+
+    void tell();
 };
 
 }  // namespace aureole

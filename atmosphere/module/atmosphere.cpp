@@ -2,6 +2,7 @@
 #include "module/requirements.h"
 
 #include "common/check.h"
+#include "envelope/tell.h"
 
 #include <aureole/models/aureole.h>
 
@@ -165,6 +166,12 @@ Atmosphere::Impl::Impl(rhi::Device& device_in, const AtmosphereParameters& param
     model->require(device);
     tables = std::make_unique<detail::AirTables>(device, frame, parameters, packed, model);
     for (const std::string_view name : tables->model->passes()) reports.emplace_back().name = name;
+    tell();
+}
+
+void Atmosphere::Impl::tell() {
+    half_sky = detail::keeps_sky_in_half(*model, parameters);
+    detail::tell_outside(outside, outside_envelope(parameters));
 }
 
 Atmosphere::Atmosphere(rhi::Device& device, const AtmosphereParameters& parameters, const ModelPtr& model)
@@ -182,6 +189,7 @@ void Atmosphere::set_parameters(const AtmosphereParameters& parameters) {
         impl.tables->set_numbers(copy, packed);
         impl.parameters = std::move(copy);
         for (detail::AirUser* user : impl.users) user->refresh();
+        impl.tell();
         return;
     }
     // Everything new is made before anything old is given up, so that a failure changes nothing.
@@ -198,6 +206,7 @@ void Atmosphere::set_parameters(const AtmosphereParameters& parameters) {
     impl.tables = std::move(tables);
     impl.parameters = std::move(copy);
     for (detail::AirUser* user : impl.users) user->refresh();
+    impl.tell();
 }
 
 const AtmosphereParameters& Atmosphere::parameters() const noexcept { return impl_->parameters; }

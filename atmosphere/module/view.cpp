@@ -5,6 +5,7 @@
 #include "camera/pack_view.h"
 #include "common/check.h"
 #include "composite/composite.h"
+#include "envelope/tell.h"
 #include "light/light.h"
 #include "shadows/shadows.h"
 
@@ -164,7 +165,8 @@ struct View::Impl final : detail::AirUser {
     std::unique_ptr<detail::ViewTables> tables, pending;
     detail::ViewBlock block{};
     bool updated = false;
-    bool deep = false;  // the camera is nearer to the planet's centre than to its ground
+    bool deep = false;                     // the camera is nearer to the planet's centre than to its ground
+    std::vector<OutsideEnvelope> outside;  // and told
     bool light_stale = true, block_stale = true, shadows_stale = true;
     ShadowMap shadow_map;
     detail::ShadowBlock shadow_block{};
@@ -183,6 +185,7 @@ void View::update(const Camera& camera, std::span<const Sun> suns) {
     detail::check_count("suns", suns.size(), 0, impl.settings.max_suns);
     impl.use(impl.pack(camera, suns), camera);
     impl.tell_if_deep(camera);
+    detail::tell_outside(impl.outside, outside_envelope(impl.air.parameters.planet, camera, suns, impl.air.half_sky));
     impl.camera = camera;
     impl.suns.assign(suns.begin(), suns.end());
     impl.updated = true;

@@ -413,6 +413,15 @@ def check_plan():
     expect(plan['cost']['charged_ms'] <= 1.1 * cheapest, 'plan: the cheapest')
     same = works('plan', 'earth', '--tolerance', '0.05', '--sun-elevation', '30:30')
     expect(same.splitlines()[0] == out.splitlines()[0], 'plan: a share is a percentage')
+    for altitude, outside in (('2:9e8', False), ('2:2e9', True)):
+        told = run('plan', 'earth', '--tolerance', '0.05', '--altitude', altitude)
+        expect(told.returncode == 0 and ('2e+09 is outside the envelope of stability' in told.stderr) == outside,
+               'a plan says what is outside the envelope, and nothing else', told)
+    for elevation, outside in (('-5:-6', False), ('-14:-15', True)):
+        told = run('render', SCENES / 'noon.toml', '-o', FOLDER / 'dusk.png', '--model', 'hillaire', '--size', '16x9',
+                   f'--sun-elevation={elevation}', '--frames', 2, *BACKEND)
+        expect(told.returncode == 0 and ('suns[0].direction: elevation in degrees: -14 is outside' in told.stderr) == outside,
+               'pictures from outside the envelope say so', told)
     scene = works('plan', SCENES / 'terrain_far.toml', '--budget', '100ms', '64MiB')
     expect('aerial perspective: recorded' in scene, f'plan of a scene with terrain: {scene}')
     dusk = works('plan', SCENES / 'golden_hour.toml', '--tolerance', '20%')

@@ -3,9 +3,12 @@
 #include "io/csv.h"
 #include "io/file.h"
 
+#include <aureole/envelope.h>
 #include <aureole/plan.h>
 #include <aureole/presets.h>
+#include <aureole/rhi/log.h>
 
+#include <spdlog/logger.h>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -177,9 +180,18 @@ void print_measured(const Plan& plan, const PlanCost& measured) {
                 beside(measured.rebuild_ms, "a rebuild", plan.cost.rebuild_ms).c_str());
 }
 
+/// Errors were measured of airs and places that float can tell: no plan knows of others.
+void tell_outside(const PlanRequirements& needs) {
+    const Planet& planet = needs.air.planet;
+    const Camera highest = look(planet.bottom_radius_m, needs.altitude_m.most, 0, 0, 1, 1);
+    for (const OutsideEnvelope& one : outside_envelope(needs.air)) log()->warn("{}", one.text());
+    for (const OutsideEnvelope& one : outside_envelope(planet, highest, {})) log()->warn("{}", one.text());
+}
+
 void run_plan(const PlanCommand& command) {
     PlanRequirements needs = requirements_of(command);
     validate(needs);
+    tell_outside(needs);
     const std::unique_ptr<Backend> backend = command.calibrate || command.measure ? open_backend(command.backend) : nullptr;
     if (command.calibrate) {
         needs.speed = measure_speed(*backend, 1);

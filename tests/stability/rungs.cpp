@@ -15,50 +15,55 @@ namespace {
 
 constexpr rhi::Format half = rhi::Format::rgba16_float, full = rhi::Format::rgba32_float;
 
-QualitySettings small_aureole(rhi::Format format) {
+/// Twice, thrice ... as many texels along every side.
+rhi::Extent texels(rhi::Extent least, std::uint32_t finer) {
+    return {least.width * finer, least.height * finer, least.depth == 1 ? 1 : least.depth * finer};
+}
+
+QualitySettings small_aureole(rhi::Format format, std::uint32_t finer = 1) {
     QualitySettings s;
     s.name = "small";
-    s.transmittance = {16, 6, 1};
+    s.transmittance = texels({16, 6, 1}, finer);
     s.transmittance_nodes = 6;
-    s.multi_scatter = {6, 4, 1};
+    s.multi_scatter = texels({6, 4, 1}, finer);
     s.angular_order = 2;
     s.angular_order_as_needed = false;
     s.multi_scatter_zenith = 2;
     s.multi_scatter_azimuth = 2;
     s.multi_scatter_nodes = 4;
     s.multi_scatter_later_nodes = 3;
-    s.sky_view = {8, 16, 1};
+    s.sky_view = texels({8, 16, 1}, finer);
     s.sky_view_nodes = 5;
-    s.aerial_perspective = {4, 4, 4};
+    s.aerial_perspective = texels({4, 4, 4}, finer);
     s.table_format = s.froxel_format = format;
     return s;
 }
 
-models::HillaireSettings small_hillaire(bool fast, rhi::Format format) {
+models::HillaireSettings small_hillaire(bool fast, rhi::Format format, std::uint32_t finer = 1) {
     models::HillaireSettings s;
-    s.transmittance = {16, 6, 1};
+    s.transmittance = texels({16, 6, 1}, finer);
     s.transmittance_steps = 12;
-    s.multi_scatter = {6, 4, 1};
+    s.multi_scatter = texels({6, 4, 1}, finer);
     s.multi_scatter_steps = 6;
     s.fast_sky = s.fast_aerial_perspective = fast;
-    s.sky_view = {8, 16, 1};
+    s.sky_view = texels({8, 16, 1}, finer);
     s.sky_view_steps = 8;
-    s.aerial_perspective = {4, 4, 4};
+    s.aerial_perspective = texels({4, 4, 4}, finer);
     s.march_steps = 8;
     s.grey_transmittance = fast;
     s.table_format = s.froxel_format = format;
     return s;
 }
 
-models::BrunetonSettings small_bruneton(bool combined, rhi::Format format) {
+models::BrunetonSettings small_bruneton(bool combined, rhi::Format format, int finer = 1) {
     models::BrunetonSettings s;
-    s.transmittance = {16, 6, 1};
+    s.transmittance = texels({16, 6, 1}, static_cast<std::uint32_t>(finer));
     s.transmittance_nodes = 6;
-    s.irradiance = {6, 3, 1};
-    s.altitude_nodes = 4;
-    s.view_nodes = 8;
-    s.sun_nodes = 5;
-    s.nu_nodes = 3;
+    s.irradiance = texels({6, 3, 1}, static_cast<std::uint32_t>(finer));
+    s.altitude_nodes = 4 * finer;
+    s.view_nodes = 8 * finer;
+    s.sun_nodes = 5 * finer;
+    s.nu_nodes = 3 * finer;
     s.orders = 3;
     s.combined = combined;
     s.format = format;
@@ -68,10 +73,16 @@ models::BrunetonSettings small_bruneton(bool combined, rhi::Format format) {
     return s;
 }
 
-models::SingleSettings single(models::Steps steps, bool dome) {
-    models::SingleSettings s{.steps = steps, .view_steps = 5, .light_steps = 4, .dome = {}};
-    if (dome) s.dome = {.size = {8, 16, 1}, .phase = models::Dome::Phase::in_table, .format = half};
+models::SingleSettings single(models::Steps steps) { return {.steps = steps, .view_steps = 5, .light_steps = 4, .dome = {}}; }
+
+models::SingleSettings dome(rhi::Format format, std::uint32_t finer = 1) {
+    models::SingleSettings s = single(models::Steps::gauss);
+    s.dome = {.size = texels({8, 16, 1}, finer), .phase = models::Dome::Phase::in_table, .format = format};
     return s;
+}
+
+models::SingleLutSettings small_single_lut(rhi::Format format, std::uint32_t finer = 1) {
+    return {.view_steps = 5, .table = texels({16, 6, 1}, finer), .table_nodes = 5, .table_format = format, .dome = {}};
 }
 
 models::ReferenceSettings few_paths() {
@@ -90,12 +101,11 @@ std::vector<Rung> make() {
         {"fog, one colour", models::fog({.mode = FogSettings::Mode::one_colour}), false},
         {"fog, in-scatter", models::fog({.transmittance_nodes = 4})},
         {"fog, endless", models::fog({.sky = FogSettings::Sky::infinity, .transmittance_nodes = 4}), false},
-        {"single", models::single(single(Steps::gauss, false))},
-        {"single, midpoints", models::single(single(Steps::midpoints, false))},
-        {"single, dome", models::single(single(Steps::gauss, true))},
-        {"single-lut", models::single_lut({.view_steps = 5, .table = {16, 6, 1}, .table_nodes = 5, .dome = {}})},
-        {"single-lut, half",
-         models::single_lut({.view_steps = 5, .table = {16, 6, 1}, .table_nodes = 5, .table_format = half, .dome = {}})},
+        {"single", models::single(single(Steps::gauss))},
+        {"single, midpoints", models::single(single(Steps::midpoints))},
+        {"single, dome", models::single(dome(half))},
+        {"single-lut", models::single_lut(small_single_lut(full))},
+        {"single-lut, half", models::single_lut(small_single_lut(half))},
         {"hillaire", models::hillaire(small_hillaire(true, half))},
         {"hillaire, marched", models::hillaire(small_hillaire(false, full))},
         {"aureole", models::aureole(small_aureole(full))},
@@ -111,6 +121,30 @@ std::vector<Rung> make() {
 std::span<const Rung> rungs() {
     static const std::vector<Rung> all = make();
     return all;
+}
+
+std::vector<Rung> stored_rungs(rhi::Format format, std::uint32_t finer) {
+    return {
+        {"single, dome", models::single(dome(format, finer))},
+        {"single-lut", models::single_lut(small_single_lut(format, finer))},
+        {"hillaire", models::hillaire(small_hillaire(true, format, finer))},
+        {"hillaire, marched", models::hillaire(small_hillaire(false, format, finer))},
+        {"aureole", models::aureole(small_aureole(format, finer))},
+        {"bruneton", models::bruneton(small_bruneton(false, format, static_cast<int>(finer)))},
+        {"bruneton, combined", models::bruneton(small_bruneton(true, format, static_cast<int>(finer)))},
+    };
+}
+
+std::vector<Rung> bare_rungs() {
+    using models::FogSettings, models::Steps;
+    return {
+        {"fog, one colour", models::fog({.mode = FogSettings::Mode::one_colour})},
+        {"fog", models::fog({.transmittance_nodes = 4})},
+        {"fog, endless", models::fog({.sky = FogSettings::Sky::infinity, .transmittance_nodes = 4})},
+        {"single", models::single(single(Steps::gauss))},
+        {"single, midpoints", models::single(single(Steps::midpoints))},
+        {"reference", models::reference(few_paths()), true, true},
+    };
 }
 
 }  // namespace aureole::stability

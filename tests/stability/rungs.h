@@ -3,7 +3,9 @@
 
 #include <aureole/model.h>
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 namespace aureole::stability {
 
@@ -15,5 +17,9 @@ struct Rung {
 };
 /// Every model, those with settings that take other ways through their kernels more than once.
 [[nodiscard]] std::span<const Rung> rungs();
+
+/// Every model that keeps tables, with tables of this format and `finer` times as long along each side; and all the others.
+[[nodiscard]] std::vector<Rung> stored_rungs(rhi::Format format, std::uint32_t finer = 1);
+[[nodiscard]] std::vector<Rung> bare_rungs();
 
 }  // namespace aureole::stability

@@ -193,7 +193,7 @@ public:
 
     /// Takes the frame's camera (of the view's projection) and suns (at most max_suns; none: night). Throws and changes nothing
     /// if a value is rejected. A camera that comes closer to the planet's centre than half its radius is told to the log, as a
-    /// warning.
+    /// warning; and so is what leaves the envelope of stability (envelope.h), once.
     void update(const Camera& camera, std::span<const Sun> suns);
 
     /// Replaces CompositeSettings::exposure. In [1e-30, 1e30], else Error(invalid_argument).

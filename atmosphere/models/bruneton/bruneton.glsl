@@ -34,10 +34,16 @@ int scattering_layers() { return COMBINED ? 1 : scattering_layers_apart(); }
 // straight down to rho at the horizon) and on the top (transmittance.glsl): the field is discontinuous at the horizon, so
 // the two halves of the axis must not mix. Rows 0 to n/2 - 1: ground, from the horizon to the nadir; then from the zenith to the
 // horizon.
-real mu_position(real altitude, real mu, bool ground) {
-    if (!ground) return transmittance_position(altitude, mu).x;
+real ground_position(real altitude, real length) {
     real length_range = max(horizon_distance(altitude) - altitude, real(1e-20));
-    return clamp((distance_to_ground(altitude, mu) - altitude) / length_range, real(0), real(1));
+    return clamp((length - altitude) / length_range, real(0), real(1));
+}
+real mu_position(real altitude, real mu, bool ground) {
+    return ground ? ground_position(altitude, distance_to_ground(altitude, mu)) : transmittance_position(altitude, mu).x;
+}
+// The same of a ray whose length is known: exact near the horizon, where the ground's distance by the cosine is not.
+real ray_position(Ray ray) {
+    return ray.ground ? ground_position(ray.altitude, ray.end) : transmittance_position(ray.altitude, ray.mu).x;
 }
 real row_at(real position, bool ground, int rows) {
     real last = real(rows / 2 - 1);
@@ -125,7 +131,11 @@ TablePlace table_place(Ray ray, ivec3 size, int layers) {
 // ---- Look-ups ----
 
 #ifdef AUREOLE_SCATTERING_TABLE
-TablePlace scattering_place(Ray ray) { return table_place(ray, textureSize(scattering_table, 0), scattering_layers()); }
+// Of a ray with its length.
+TablePlace scattering_place(Ray ray) {
+    ivec3 size = textureSize(scattering_table, 0);
+    return table_place_in_row(ray, row_at(ray_position(ray), ray.ground, size.y), size, scattering_layers());
+}
 
 vec4 scattering_layer(TablePlace place, int layer) {
     vec3 at = place.at + vec3(real(0), real(0), real(layer) / real(scattering_layers()));

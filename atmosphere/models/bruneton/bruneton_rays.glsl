@@ -12,9 +12,11 @@ real nu_of(real mu, real mu_s, real azimuth_cosine) {
 }
 
 #ifdef AUREOLE_IRRADIANCE_TABLE
-// Radiance that the ground at the end of a ray sends through the air before it, 1/sr.
+// Radiance that the ground at the end of a ray sends through the air before it, 1/sr. The altitude there is 0, which the ray's length
+// gives to some metres only where the shell is as thick as the planet.
 vec3 ray_ground_radiance(Ray ray) {
-    return ground_radiance(dark_depth(ray, real(0), ray.end, false), ground_irradiance(sun_mu_after(ray, ray.end, real(0))));
+    vec3 depth = optical_depth_to_top(real(0), -view_mu_after(ray, ray.end, real(0))) - optical_depth_to_top(ray.altitude, -ray.mu);
+    return ground_radiance(max(depth, vec3(real(0))), ground_irradiance(sun_mu_after(ray, ray.end, real(0))));
 }
 
 // Per unit of solar irradiance, 1/sr.

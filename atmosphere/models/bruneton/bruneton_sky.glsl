@@ -66,6 +66,7 @@ AerialPerspective aerial_perspective(real, real, real distance_km, vec3 directio
         on.altitude = min(altitude_after(ray.altitude, ray.mu, t), shell_thickness());
         on.mu = view_mu_after(ray, t, on.altitude);
         on.mu_s = sun_mu_after(ray, t, on.altitude);
+        on.end = ray.end - t;
         result.transmittance = exp(-dark_depth(ray, real(0), t, !ray.ground));
         result.radiance += vec3(view.sun_irradiance[sun]) *
                            air_radiance_before(scattering_place(ray), scattering_place(on), result.transmittance, ray.nu);

@@ -1,0 +1,104 @@
+#include <aureole/envelope.h>
+
+#include "common/check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <utility>
+#include <variant>
+
+namespace aureole {
+namespace {
+
+/// Read off the sweeps of tests/stability/envelope.cpp; tests/stability/envelope_test.cpp holds the models to it.
+constexpr std::array<EnvelopeLimit, 7> limits{{
+    {1e3, 1e9, "errors above 1 % near the horizon and in twilight: a step of a direction in float is hundreds of metres there"},
+    {0, 1.5, "errors up to 12 % near the horizon as seen from space: rays are thousands of scale heights long"},
+    {1, 1e12, "errors that were not measured"},
+    {0, 0.1,
+     "errors up to 10 % of what little light is left: an optical depth of thousands has few digits behind the point in float"},
+    {-0.99, 0.99, "errors up to 40 % within a degree of the peak: the cosine of so small an angle has few digits in float"},
+    {-1e13, 1e9, "errors above 1 % along the limb: a step of a direction in float is hundreds of metres there"},
+    {-9, 90, "steps of 6e-8 of the sun's light, which float tables do not have: the model keeps its sky in half floats"},
+}};
+
+/// Collects what is outside. Names are made of that alone.
+struct Finder {
+    std::vector<OutsideEnvelope> found{};
+
+    template <class Name>
+    void check(EnvelopeAxis axis, double value, const Name& name) {
+        const EnvelopeLimit& limit = envelope_limit(axis);
+        if (value >= limit.least && value <= limit.greatest) return;
+        found.push_back({name(), value, limit.least, limit.greatest, limit.beyond});
+    }
+};
+
+void check_phase(Finder& finder, const PhaseFunction& phase, std::size_t term) {
+    const auto check = [&](double g, const char* name) {
+        finder.check(EnvelopeAxis::g, g, [&] { return detail::element("terms", term) + ".phase." + name; });
+    };
+    if (const auto* p = std::get_if<HenyeyGreensteinPhase>(&phase)) check(p->g, "g");
+    if (const auto* p = std::get_if<CornetteShanksPhase>(&phase)) check(p->g, "g");
+    if (const auto* p = std::get_if<HenyeyGreensteinDrainePhase>(&phase)) {
+        if (p->weight < 1) check(p->g_hg, "g_hg");
+        if (p->weight > 0) check(p->g_draine, "g_draine");
+    }
+}
+
+double greatest_density(const Profile& profile) {
+    const auto* table = std::get_if<TabulatedProfile>(&profile);
+    return table == nullptr ? 1 : *std::ranges::max_element(table->density);
+}
+
+double largest(const Rgb& color) { return std::max({color.r, color.g, color.b}); }
+
+}  // namespace
+
+const EnvelopeLimit& envelope_limit(EnvelopeAxis axis) { return limits.at(static_cast<std::size_t>(axis)); }
+
+std::string OutsideEnvelope::text() const {
+    return field + ": " + detail::print(value) + " is outside the envelope of stability, [" + detail::print(least) + ", " +
+           detail::print(greatest) + "]: expect " + std::string(beyond);
+}
+
+std::vector<OutsideEnvelope> outside_envelope(const AtmosphereParameters& parameters) {
+    Finder finder;
+    const Planet& planet = parameters.planet;
+    finder.check(EnvelopeAxis::bottom_radius_m, planet.bottom_radius_m, [] { return "planet.bottom_radius_m"; });
+    finder.check(EnvelopeAxis::shell_over_radius, planet.top_radius_m / planet.bottom_radius_m - 1,
+                 [] { return "planet.top_radius_m / planet.bottom_radius_m - 1"; });
+    Rgb extinction(0);
+    for (std::size_t i = 0; i < parameters.terms.size(); ++i) {
+        const DensityTerm& term = parameters.terms[i];
+        const Rgb scattering = term.scattering_scale * term.scattering_per_m;
+        extinction += greatest_density(term.profile) * (scattering + term.absorption_scale * term.absorption_per_m);
+        if (const auto* p = std::get_if<ExponentialProfile>(&term.profile))
+            finder.check(EnvelopeAxis::scale_height_m, p->scale_height_m,
+                         [&] { return detail::element("terms", i) + ".profile.scale_height_m"; });
+        if (largest(scattering) > 0) check_phase(finder, term.phase, i);
+    }
+    finder.check(EnvelopeAxis::extinction_per_m, largest(extinction), [] { return "terms: extinction in 1/m"; });
+    return std::move(finder.found);
+}
+
+std::vector<OutsideEnvelope> outside_envelope(const Planet& planet, const Camera& camera, std::span<const Sun> suns,
+                                              bool half_tables) {
+    Finder finder;
+    const double distance = glm::length(camera.position_m);
+    finder.check(EnvelopeAxis::altitude_m, distance - planet.bottom_radius_m,
+                 [] { return "camera.position_m: altitude in m"; });
+    for (std::size_t i = 0; i < suns.size() && distance > 0 && half_tables; ++i) {
+        const glm::dvec3& d = suns[i].direction;
+        const double sine = glm::dot(camera.position_m / distance, d / std::hypot(d.x, d.y, d.z));
+        const double degrees = std::asin(std::clamp(sine, -1.0, 1.0)) * 180 / std::numbers::pi;
+        finder.check(EnvelopeAxis::half_sun_elevation_deg, degrees,
+                     [&] { return detail::element("suns", i) + ".direction: elevation in degrees"; });
+    }
+    return std::move(finder.found);
+}
+
+}  // namespace aureole

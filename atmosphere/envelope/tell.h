@@ -1,0 +1,17 @@
+// What is outside the envelope, to the log.
+#pragma once
+
+#include <aureole/envelope.h>
+#include <aureole/model.h>
+
+#include <vector>
+
+namespace aureole::detail {
+
+/// Warns of each field of `now` that is not in `known`, which then becomes `now`: what stays outside is told once.
+void tell_outside(std::vector<OutsideEnvelope>& known, std::vector<OutsideEnvelope> now);
+
+/// The model keeps the sky that is shown in half floats, with twilight as dark as it is.
+[[nodiscard]] bool keeps_sky_in_half(const Model& model, const AtmosphereParameters& parameters);
+
+}  // namespace aureole::detail

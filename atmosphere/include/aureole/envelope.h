@@ -1,0 +1,53 @@
+// The envelope of stability: how far the numbers of a scene may go for every model, in float on every device, to be within 1 %
+// of the same model in double (0.1 % at altitudes of 1 m to 1000 km on Earth), each number alone being varied from Earth's.
+// Measured, and with what remains outside and why: docs/stability.md. `validate` accepts more; what lies between gives finite
+// numbers that are not negative, but not as exact ones.
+//
+// Atmosphere and View tell the log, as a warning, what is outside: once when it is set, not in every frame.
+#pragma once
+
+#include <aureole/camera.h>
+#include <aureole/parameters.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace aureole {
+
+/// What has an end within what `validate` accepts. All else may be all of that: the ground's albedo and single scattering's
+/// from 0 to 1, suns at any elevation, of any radius, irradiance and number, sizes of tables.
+enum class EnvelopeAxis : std::uint8_t {
+    bottom_radius_m,
+    shell_over_radius,       ///< Thickness of the air over the planet's radius.
+    scale_height_m,          ///< Of an exponential profile.
+    extinction_per_m,        ///< All terms together, at their greatest densities.
+    g,                       ///< Of any phase function by a formula.
+    altitude_m,              ///< Of the camera.
+    half_sun_elevation_deg,  ///< Above the camera's horizontal, for models that keep the camera's sky in half floats.
+};
+struct EnvelopeLimit {
+    double least = 0, greatest = 0;
+    std::string_view beyond;  ///< What to expect outside, and why.
+};
+[[nodiscard]] const EnvelopeLimit& envelope_limit(EnvelopeAxis axis);
+
+/// A number that is outside.
+struct OutsideEnvelope {
+    std::string field;  ///< As errors name it: "terms[1].phase.g".
+    double value = 0, least = 0, greatest = 0;
+    std::string_view beyond;  ///< Of the limit.
+    /// "terms[1].phase.g: 0.995 is outside the envelope of stability, [-0.99, 0.99]: expect ..."
+    [[nodiscard]] std::string text() const;
+    [[nodiscard]] bool operator==(const OutsideEnvelope&) const = default;
+};
+/// Of an air that `validate` accepts. Empty: all inside.
+[[nodiscard]] std::vector<OutsideEnvelope> outside_envelope(const AtmosphereParameters& parameters);
+/// Of a camera and suns that `validate` accepts, at this planet. `half_tables`: the model keeps the camera's sky in half
+/// floats, in which twilight ends. Nothing is allocated where all is inside.
+[[nodiscard]] std::vector<OutsideEnvelope> outside_envelope(const Planet& planet, const Camera& camera,
+                                                            std::span<const Sun> suns, bool half_tables = false);
+
+}  // namespace aureole

@@ -1,0 +1,90 @@
+// What leaves the envelope of stability is told to the log, each field once.
+#include "passes/rig.h"
+
+#include <aureole/envelope.h>
+#include <aureole/models/hillaire.h>
+#include <aureole/presets.h>
+#include <aureole/rhi/log.h>
+
+#include <doctest/doctest.h>
+#include <spdlog/logger.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <array>
+#include <memory>
+#include <sstream>
+#include <string>
+
+using namespace aureole;
+using namespace aureole::passes;
+
+namespace {
+
+/// What is logged by `does`.
+template <class Does>
+std::string logged(const Does& does) {
+    std::ostringstream text;
+    set_log(std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_st>(text)));
+    does();
+    set_log(nullptr);
+    return text.str();
+}
+std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t times = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++times;
+    return times;
+}
+
+AtmosphereParameters with_g(double g) {
+    AtmosphereParameters air = presets::earth();
+    air.terms[1].phase = HenyeyGreensteinPhase{g};
+    return air;
+}
+
+}  // namespace
+
+TEST_CASE("envelope: an air outside is told when it is set, and not again while it stays there") {
+    const auto cpu = open_cpu_float();
+    Setup setup;
+    CHECK(logged([&] { Rig(*cpu, setup); }) == "");
+    setup.air = with_g(0.995);
+    const std::string made = logged([&] { Rig(*cpu, setup); });
+    CAPTURE(made);
+    CHECK(count(made, "[warning]") == 1);
+    CHECK(count(made, "terms[1].phase.g: 0.995 is outside the envelope of stability, [-0.99, 0.99]: expect errors") == 1);
+
+    setup.air = with_g(0.9);
+    Rig rig(*cpu, setup);
+    const auto set = [&](double g, double albedo) {
+        AtmosphereParameters air = with_g(g);
+        air.planet.ground_albedo = Rgb(albedo);
+        return logged([&] { rig.air.set_parameters(air); });
+    };
+    CHECK(set(0.98, 0.3) == "");
+    CHECK(count(set(-0.995, 0.3), "terms[1].phase.g: -0.995") == 1);
+    CHECK(set(-0.998, 0.4) == "");  // still so
+    CHECK(set(0.5, 0.4) == "");
+    CHECK(count(set(0.999, 0.4), "terms[1].phase.g: 0.999") == 1);
+}
+
+TEST_CASE("envelope: a camera outside, and twilight in half floats") {
+    const auto cpu = open_cpu_float();
+    Setup setup;
+    Rig whole(*cpu, setup);
+    setup.model = models::hillaire({});
+    Rig half(*cpu, setup);
+    const auto told = [&](Rig& rig, double altitude_m, double elevation_deg) {
+        const std::array suns{sun_at(elevation_deg)};
+        return logged([&] { rig.view.update(camera_at(setup.air.planet, altitude_m), suns); });
+    };
+    CHECK(told(whole, 100, 30) == "");
+    CHECK(told(whole, 100, -17) == "");
+    CHECK(count(told(whole, 2e9, 30), "camera.position_m: altitude in m: 2") == 1);
+    CHECK(told(whole, 3e9, 30) == "");
+    CHECK(told(whole, 10, 30) == "");
+
+    CHECK(told(half, 100, -8) == "");
+    CHECK(count(told(half, 100, -12), "suns[0].direction: elevation in degrees: -1") == 1);
+    CHECK(told(half, 100, -13) == "");
+    CHECK(told(half, 100, -5) == "");
+    CHECK(count(told(half, 100, -14), "suns[0].direction") == 1);
+}

@@ -1,0 +1,160 @@
+// How far each model in float is from itself in double, along every axis: a line of CSV for each model, backend, storage and
+// value. docs/stability.md shows what came out; AUREOLE_STABILITY_PRINT=1 tells where each of the errors is.
+#include "stability/sweep.h"
+
+#ifdef AUREOLE_TESTS_HAVE_VULKAN
+#include <aureole/vulkan/vulkan_device.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <limits>
+#include <string>
+#include <string_view>
+
+using namespace aureole;
+using namespace aureole::stability;
+
+namespace {
+
+struct Backend {
+    const char* name;
+    physics::Machine* machine;
+};
+
+#ifdef AUREOLE_TESTS_HAVE_VULKAN
+class VulkanMachine final : public physics::Machine {
+public:
+    VulkanMachine() : device_(vulkan::create_vulkan_device({})) { listen(); }
+    rhi::Device& device() override { return device_->device(); }
+    rhi::Queue& queue() override { return device_->queue(); }
+
+private:
+    std::unique_ptr<vulkan::VulkanDevice> device_;
+};
+#endif
+
+/// The CPU in float; and Vulkan, where it is.
+std::vector<Backend> backends([[maybe_unused]] bool with_vulkan) {
+    std::vector<Backend> all = {{"cpu", &physics::cpu_float()}};
+#ifdef AUREOLE_TESTS_HAVE_VULKAN
+    if (!with_vulkan) return all;
+    try {
+        static VulkanMachine vulkan;
+        all.push_back({"vulkan", &vulkan});
+    } catch (const Error& error) {
+        std::fprintf(stderr, "without Vulkan: %s\n", error.what());
+    }
+#endif
+    return all;
+}
+
+struct Stored {
+    const char* name;
+    bool half;
+    std::vector<Rung> (*rungs)(std::uint32_t finer);
+};
+constexpr Stored storages[] = {
+    {"none", false, [](std::uint32_t) { return bare_rungs(); }},
+    {"float", false, [](std::uint32_t finer) { return stored_rungs(rhi::Format::rgba32_float, finer); }},
+    {"half", true, [](std::uint32_t finer) { return stored_rungs(rhi::Format::rgba16_float, finer); }},
+};
+
+/// What a line is about.
+struct Line {
+    const char* model;
+    const Stored& stored;
+    const Base& base;
+    const Sweep& axis;
+    double value;
+};
+
+bool is_told() { return std::getenv("AUREOLE_STABILITY_PRINT") != nullptr; }
+
+void print(const Line& line, const Backend& backend, std::vector<double> errors) {
+    std::ranges::sort(errors);
+    const double p95 = errors[static_cast<std::size_t>(0.95 * static_cast<double>(errors.size() - 1))];
+    std::printf("\"%s\",%s,%s,%s,%s,%.10g,%.3g,%.3g\n", line.model, backend.name, line.stored.name, line.base.name,
+                line.axis.name, line.value, p95, errors.back());
+    std::fflush(stdout);
+    if (is_told())
+        std::fprintf(stderr, "%s, %s, %s, %s: %s %g: %.3g\n", line.model, backend.name, line.stored.name, line.base.name,
+                     line.axis.name, line.value, errors.back());
+}
+
+void tell_worst(const Scene& scene, std::span<const double> errors, std::span<const Rgb> seen, std::span<const Rgb> exact) {
+    const auto i = static_cast<std::size_t>(std::ranges::max_element(errors) - errors.begin());
+    const glm::dvec3 view = scene.views()[i];
+    std::fprintf(stderr,
+                 "  %.3g: altitude %.10g m, sun at %g degrees, view at zenith angle %.7g, azimuth %.4g: (%.6g %.6g %.6g), "
+                 "exact (%.6g %.6g %.6g)\n",
+                 errors[i], scene.altitude_m, scene.sun_elevation_deg, std::acos(view.z), std::atan2(view.y, view.x), seen[i].r,
+                 seen[i].g, seen[i].b, exact[i].r, exact[i].g, exact[i].b);
+}
+
+/// Infinite where there is a number that is none.
+std::vector<double> compare(Observer& observer, Observer& exact, const Scene& scene, bool half) {
+    const std::vector<Rgb> right = exact.look(scene);
+    try {
+        const std::vector<Rgb> seen = observer.look(scene);
+        std::vector<double> errors = relative_errors(seen, right, least_light(scene, right, half));
+        if (is_told()) tell_worst(scene, errors, seen, right);
+        return errors;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return {std::numeric_limits<double>::infinity()};
+    }
+}
+
+/// One model along one axis.
+void run(const Stored& stored, std::size_t rung, const Sweep& axis, std::span<const Backend> all) {
+    std::uint32_t made = 0;
+    std::vector<Rung> rungs;
+    std::vector<Observer> observers;
+    std::unique_ptr<Observer> exact;
+    for (const Base& base : bases())
+        for (const double value : axis.values) {
+            const std::vector<Scene> scenes = axis.scenes(base, value);
+            if (scenes.front().finer != made) {
+                rungs = stored.rungs(made = scenes.front().finer);
+                observers.clear();
+                for (const Backend& backend : all) observers.emplace_back(*backend.machine, rungs[rung].model);
+                exact = std::make_unique<Observer>(physics::cpu_double(), rungs[rung].model);
+            }
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                std::vector<double> errors;
+                for (const Scene& scene : scenes)
+                    std::ranges::copy(compare(observers[i], *exact, scene, stored.half), std::back_inserter(errors));
+                print({rungs[rung].name, stored, base, axis, value}, all[i], errors);
+            }
+        }
+}
+
+int usage() {
+    std::fputs("stability_envelope [AXIS|all] [cpu]\nAxes:", stderr);
+    for (const Sweep& axis : sweeps()) std::fprintf(stderr, " \"%s\"", axis.name);
+    std::fputs("\n", stderr);
+    return 2;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    const std::string_view only = count > 1 ? words[1] : "all", with = count > 2 ? words[2] : "";
+    if (count > 3 || (count > 2 && with != "cpu")) return usage();
+    const bool known = only == "all" || std::ranges::any_of(sweeps(), [&](const Sweep& axis) { return only == axis.name; });
+    if (!known) return usage();
+    const std::vector<Backend> all = backends(with != "cpu");
+    std::printf("model,backend,tables,base,axis,value,p95,max\n");
+    for (const Sweep& axis : sweeps()) {
+        if (only != "all" && only != axis.name) continue;
+        for (const Stored& stored : storages) {
+            if (std::string_view(axis.name) == "table size" && std::string_view(stored.name) == "none") continue;
+            for (std::size_t rung = 0; rung < stored.rungs(1).size(); ++rung) run(stored, rung, axis, all);
+        }
+    }
+    return 0;
+}

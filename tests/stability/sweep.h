@@ -1,0 +1,79 @@
+// The envelope of stability, axis by axis: one number of a scene goes from one extreme to the other, and each model shows it on
+// a device in float and in double.
+#pragma once
+
+#include "physics/sky.h"
+#include "stability/rungs.h"
+
+#include <aureole/parameters.h>
+
+#include <array>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace aureole::stability {
+
+/// All that a sky depends on.
+struct Scene {
+    AtmosphereParameters air{};
+    double altitude_m = 2;
+    double sun_elevation_deg = 50;
+    double sun_radius_deg = 0.27;
+    bool sun_disk = false;
+    double irradiance = 1;
+    std::uint32_t suns = 1;
+    std::uint32_t finer = 1;  ///< Tables, along every side.
+
+    [[nodiscard]] double shell_m() const { return air.planet.top_radius_m - air.planet.bottom_radius_m; }
+    [[nodiscard]] std::vector<Sun> all_suns() const;
+    /// Of views, the camera being above the z axis: over all angles, and where things happen: horizon, limb, sun, zenith,
+    /// nadir.
+    [[nodiscard]] std::vector<glm::dvec3> views() const;
+};
+
+/// What the others are varied about.
+struct Base {
+    const char* name;
+    AtmosphereParameters air;
+};
+[[nodiscard]] std::span<const Base> bases();
+
+/// One axis.
+struct Sweep {
+    const char* name;
+    const char* unit;
+    std::vector<double> values;
+    void (*set)(Scene&, double value);
+
+    /// The value in a base, at a few altitudes and hours where the axis is not one of these.
+    [[nodiscard]] std::vector<Scene> scenes(const Base& base, double value) const;
+};
+[[nodiscard]] std::span<const Sweep> sweeps();
+[[nodiscard]] const Sweep& sweep(std::string_view name);
+
+/// One model on one device. Keeps what it has made for as long as scenes are of the same kind.
+class Observer {
+public:
+    Observer(physics::Machine& machine, ModelPtr model) : machine_(machine), model_(std::move(model)) {}
+    /// Radiance of the scene's views. Throws what the library does, and where one is not finite.
+    [[nodiscard]] std::vector<Rgb> look(const Scene& scene);
+
+private:
+    physics::Machine& machine_;
+    ModelPtr model_;
+    std::unique_ptr<physics::Sky> sky_;
+    std::uint32_t suns_ = 0;
+    bool sun_disk_ = false;
+};
+
+/// Light that errors are relative to where there is less: a thousandth of the picture's mean away from the sun, ten stops below
+/// what an exposure is made for; a thousandth of a night without a moon (1e-9 of the sun's); and with tables of half floats a
+/// hundred of their smallest steps (6e-8 of the sun's), of which one is a per cent.
+[[nodiscard]] double least_light(const Scene& scene, std::span<const Rgb> exact, bool half_tables);
+/// Of each view, in the channel where it is largest.
+[[nodiscard]] std::vector<double> relative_errors(std::span<const Rgb> seen, std::span<const Rgb> exact, double least);
+
+}  // namespace aureole::stability

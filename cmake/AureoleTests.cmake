@@ -1,8 +1,8 @@
 # aureole_add_test(<name> SOURCES <file>... [LIBS <target>...] [INCLUDE_DIRS <dir>...] [LABELS <label>...] [TIMEOUT <seconds>])
 #
 # A doctest program <name> (one shared main: tests/doctest_main.cpp) that ctest runs under the same name. It sees the src/
-# folder of the directory it is made in. ctest calls it in that program's own empty working folder. Labels choose what
-# ./test.sh runs where: tests labelled `vulkan` open a driver and are left out of the sanitizer build.
+# folder of the directory it is made in. ctest calls it in that program's own empty working folder. With sanitizers, programs
+# labelled `vulkan` (they open a driver) or `slow` are neither run nor part of the default build: to be built by name.
 find_package(doctest 2.4 REQUIRED)
 
 # Compiled once: doctest's own implementation is by far the slowest part of a test program.
@@ -19,6 +19,10 @@ function(aureole_add_test name)
     target_compile_options(${name} PRIVATE ${AUREOLE_WARNINGS})
     target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/src" "${PROJECT_SOURCE_DIR}/tests" ${arg_INCLUDE_DIRS})
     target_link_libraries(${name} PRIVATE aureole_doctest_main ${arg_LIBS})
+    if(AUREOLE_SANITIZE AND (vulkan IN_LIST arg_LABELS OR slow IN_LIST arg_LABELS))
+        set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL TRUE)
+        return()
+    endif()
     set(folder "${CMAKE_CURRENT_BINARY_DIR}/run/${name}")
     file(MAKE_DIRECTORY "${folder}")
     set(options --no-intro)
@@ -36,6 +40,11 @@ endfunction()
 # compared less than it should, unless what it did compare has failed. ./test.sh, which installs both, takes that for a failure.
 # A tree that is built without the Vulkan backend has nothing to skip.
 function(aureole_skip_without_vulkan)
-    set_tests_properties(
-        ${ARGN} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped: (no usable Vulkan device|the Vulkan validation layer).*SUCCESS!")
+    foreach(name IN LISTS ARGN)
+        if(TEST ${name})
+            set_tests_properties(
+                ${name} PROPERTIES SKIP_REGULAR_EXPRESSION
+                                   "skipped: (no usable Vulkan device|the Vulkan validation layer).*SUCCESS!")
+        endif()
+    endforeach()
 endfunction()

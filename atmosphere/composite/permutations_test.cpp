@@ -201,7 +201,7 @@ void for_all(Permutation& p, std::size_t first, std::size_t last, const Visit& v
 
 }  // namespace
 
-TEST_CASE("composite: every permutation is a pipeline of the CPU device") {
+TEST_CASE("composite: every permutation is a pipeline of the CPU device" * doctest::test_suite("long")) {
     const auto backend = open_cpu_float(1);
     const HostTextures host(*backend);
     std::size_t made = 0;

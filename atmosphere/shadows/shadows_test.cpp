@@ -100,7 +100,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TEST_CASE("shadows: in thin even air what is left is the lit length, on every model and backend") {
+TEST_CASE("shadows: in thin even air what is left is the lit length, on every model and backend" *
+          doctest::test_suite("long")) {
     Backends backends;
     const auto check = [&](Backend& backend, const ModelPtr& model) {
         CAPTURE(backend.name());
@@ -169,7 +170,7 @@ TEST_CASE("shadows: depth decides, by its direction and bias") {
     CHECK(middle(look_along(rig, 5e3, overhead())) == all);
 }
 
-TEST_CASE("shadows: where all is lit, every bit is as without them") {
+TEST_CASE("shadows: where all is lit, every bit is as without them" * doctest::test_suite("long")) {
     Backends backends;
     backends.each([&](Backend& backend) {
         CAPTURE(backend.name());

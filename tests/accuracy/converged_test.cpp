@@ -104,16 +104,17 @@ TEST_CASE("converged settings: with coarser tables or half the samples they show
         {"single", "half the samples", fewer_samples("single"), 0.05, 1.6},
         {"single-lut", "half the samples", fewer_samples("single-lut"), 0.05, 1.6},
         {"single-lut", "coarser tables", coarser_single_lut(), 0.01, 0.02},
-        {"hillaire", "half the samples", fewer_samples("hillaire"), 0.28, 1.6},
-        {"hillaire", "coarser tables", coarser_hillaire(), 0.11, 2.2},
         {"aureole", "half the samples", fewer_samples("aureole"), 0.05, 1.6},
         {"aureole", "coarser tables", coarser_aureole(), 0.16, 0.9},
     };
     check_all(cases);
 }
 
-// Ten minutes on a CPU: by command.
-TEST_CASE("converged settings of bruneton: with half the samples they show the same" * doctest::skip()) {
-    const Case cases[] = {{"bruneton", "half the samples", fewer_samples("bruneton"), 0.5, 5}};
+// Minutes on a CPU: converged_test --no-skip.
+TEST_CASE("converged settings of hillaire and bruneton: with coarser tables or half the samples they show the same" *
+          doctest::skip()) {
+    const Case cases[] = {{"hillaire", "half the samples", fewer_samples("hillaire"), 0.28, 1.6},
+                          {"hillaire", "coarser tables", coarser_hillaire(), 0.11, 2.2},
+                          {"bruneton", "half the samples", fewer_samples("bruneton"), 0.5, 5}};
     check_all(cases);
 }

@@ -230,11 +230,11 @@ TEST_CASE("hillaire: settings out of range are named") {
         {"hillaire.transmittance.width", [](S& s) { s.transmittance.width = 1; }},
         {"hillaire.transmittance_steps", [](S& s) { s.transmittance_steps = 0; }},
         {"hillaire.multi_scatter.height", [](S& s) { s.multi_scatter.height = 257; }},
-        {"hillaire.multi_scatter_steps", [](S& s) { s.multi_scatter_steps = 257; }},
+        {"hillaire.multi_scatter_steps", [](S& s) { s.multi_scatter_steps = 4097; }},
         {"hillaire.sky_view.height", [](S& s) { s.sky_view.height = 51; }},
         {"hillaire.sky_view_steps", [](S& s) { s.sky_view_steps = -1; }},
         {"hillaire.aerial_perspective.depth", [](S& s) { s.aerial_perspective.depth = 1; }},
-        {"hillaire.march_steps", [](S& s) { s.march_steps = 300; }},
+        {"hillaire.march_steps", [](S& s) { s.march_steps = 5000; }},
         {"hillaire.table_format", [](S& s) { s.table_format = rhi::Format::rgba8_unorm; }},
         {"hillaire.froxel_format", [](S& s) { s.froxel_format = rhi::Format::undefined; }}};
     for (const auto& [field, spoil] : faults) {

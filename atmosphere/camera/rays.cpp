@@ -93,8 +93,8 @@ glm::dvec4 depth_coefficients(const Camera& camera) {
 
 double far_depth(const Camera& camera) {
     const glm::dvec4 m = depth_coefficients(camera);
-    const auto nearness = [&](double d) { return (m.z * d + m.w) / (m.x * d + m.y); };  // 1 / depth: infinity is 0
-    return nearness(0) < nearness(1) ? 0 : 1;
+    // Of the distances (x d + y) / (z d + w) at 0 and 1, whose denominators are not negative, the greater; it may be infinite.
+    return m.y * (m.z + m.w) > (m.x + m.y) * m.w ? 0 : 1;
 }
 
 void check_projection(const glm::dmat4& p) {

@@ -136,6 +136,11 @@ TEST_CASE("depth: which end is far") {
         const bool reversed = c.name.find("reversed") != std::string::npos;
         CHECK(far_depth(Camera{.projection = c.projection, .depth_range = c.range}) == (reversed ? 0 : 1));
     }
+    // Parallel rays may start at the camera, or behind it.
+    for (const double nearest : {0.0, -40.0}) {
+        CHECK(far_depth(Camera{.projection = glm::orthoRH_ZO(-30.0, 50.0, -10.0, 20.0, nearest, 500.0)}) == 1);
+        CHECK(far_depth(Camera{.projection = glm::orthoRH_ZO(-30.0, 50.0, -10.0, 20.0, 500.0, nearest)}) == 0);
+    }
 }
 
 TEST_CASE("panorama: zenith is the planet's, forward the camera's heading") {

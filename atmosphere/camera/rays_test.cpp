@@ -116,7 +116,8 @@ TEST_CASE("depth: the sky is infinitely far") {
     constexpr double inf = std::numeric_limits<double>::infinity();
     const auto at = [](const dmat4& projection, DepthRange range, double d) {
         const dvec4 m = depth_coefficients(Camera{.projection = projection, .depth_range = range});
-        return (m.x * d + m.y) / (m.z * d + m.w);
+        const double over = m.x * d + m.y, under = m.z * d + m.w;
+        return under == 0 && over > 0 ? inf : over / under;
     };
     CHECK(at(reversed_infinite(0.5), DepthRange::zero_to_one, 0) == inf);
     CHECK(at(reversed_infinite(0.5), DepthRange::zero_to_one, 1) == doctest::Approx(0.5e-3).scale(1e-300).epsilon(1e-5));

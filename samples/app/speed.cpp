@@ -1,6 +1,7 @@
 #include "app/speed.h"
 
 #include "app/pass_costs.h"
+#include "plan/candidates.h"
 
 #include <aureole/presets.h>
 
@@ -37,25 +38,29 @@ PlanCost measure_plan(Backend& backend, const PlanRequirements& requirements, co
     options.counts = false;
     const PassCosts found = pass_costs(backend, {&subject, 1}, options, [] {}).at(0);
     const auto median = [&](const char* pass) { return found.pass(pass).milliseconds.median; };
-    PlanCost cost;
+    detail::MeasuredCost cost;
     for (std::size_t i = 0; i < found.air_passes; ++i) cost.rebuild_ms += found.passes[i].milliseconds.median;
-    double tables_ms = 0;
     for (std::size_t i = found.air_passes; i < found.air_passes + found.view_passes; ++i) {
         const PassCost& pass = found.passes[i];
-        const bool recorded =
-            (pass.name != "aerial_perspective" || requirements.geometry) && (pass.name != "light" || requirements.light);
-        if (recorded) tables_ms += requirements.suns * pass.milliseconds.median;
+        (pass.name == "aerial_perspective" ? cost.aerial_perspective_ms
+         : pass.name == "light"            ? cost.light_ms
+                                           : cost.view_ms) += pass.milliseconds.median;
     }
-    double shown_ms = median(requirements.geometry ? "composite_geometry" : "composite");
-    if (requirements.suns > 1)
-        shown_ms += (requirements.suns - 1) * std::max(median("composite_two_suns") - median("composite"), 0.0);
+    cost.composite_ms = median("composite");
+    if (options.geometry) cost.composite_geometry_ms = median("composite_geometry");
+    if (requirements.suns > 1) cost.composite_sun_ms = std::max(median("composite_two_suns") - cost.composite_ms, 0.0);
     if (requirements.shadows) {
-        tables_ms += median("shadows");
-        shown_ms += std::max(median("composite_shadows") - median("composite_geometry"), 0.0);
+        cost.shadows_ms = median("shadows");
+        cost.composite_shadows_ms = std::max(median("composite_shadows") - cost.composite_geometry_ms, 0.0);
     }
-    cost.frame_ms = requirements.views * (shown_ms + tables_ms);
-    cost.charged_ms = cost.frame_ms + requirements.rebuilds_per_frame * cost.rebuild_ms;
-    return cost;
+    // These are already of the plan's own pixels, on the device at hand.
+    PlanRequirements as_measured = requirements;
+    as_measured.width = detail::measured_width;
+    as_measured.height = detail::measured_height;
+    as_measured.speed = {};
+    PlanCost measured = detail::cost_of(as_measured, cost).cost;
+    measured.mebibytes = 0;
+    return measured;
 }
 
 }  // namespace aureole::app

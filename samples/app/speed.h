@@ -12,7 +12,7 @@ namespace aureole::app {
 [[nodiscard]] DeviceSpeed measure_speed(Backend& backend, double seconds);
 
 /// What a plan that was made for these requirements takes on this device: medians of so many rounds, for all views and suns as
-/// PlanCost counts them; of the memory nothing. Shadows are not part of it. Throws as above.
+/// PlanCost counts them; of the memory nothing. Throws as above.
 [[nodiscard]] PlanCost measure_plan(Backend& backend, const PlanRequirements& requirements, const Plan& plan,
                                     std::uint32_t rounds);
 

@@ -1,5 +1,6 @@
 #include "models/bruneton/bruneton.h"
 
+#include "models/bruneton/extents.h"
 #include "module/requirements.h"
 #include "sky_view/sky_view.h"
 
@@ -70,11 +71,10 @@ public:
         require_table(device, rhi::Format::rgba32_float, rhi::Dimension::d3, false);
         const rhi::Capabilities& limits = device.capabilities();
         require_size("device.max_texture_2d", limits.max_texture_2d, std::max(s.transmittance.width, s.transmittance.height));
-        const int directions = s.sampling == models::BrunetonSampling::published ? 256 : 2 * s.zenith_nodes * s.azimuth_nodes;
         // One layer of altitudes; make_air knows how many there are.
-        require_size(
-            "device.max_texture_3d", limits.max_texture_3d,
-            static_cast<std::uint32_t>(std::max({s.nu_nodes * s.sun_nodes, s.view_nodes, directions, s.altitude_nodes})));
+        const rhi::Extent table = bruneton_scattering_extent(s), field = bruneton_field_extent(s);
+        require_size("device.max_texture_3d", limits.max_texture_3d,
+                     std::max({table.width, table.height, table.depth, field.width, field.height}));
     }
     [[nodiscard]] std::unique_ptr<ModelAir> make_air(AirResources& shared,
                                                      const AtmosphereParameters& parameters) const override {
@@ -92,16 +92,12 @@ private:
 std::vector<ModelTable> BrunetonModel::tables_for(const AtmosphereParameters&) const {
     const BrunetonSettings& s = settings_;
     const auto count = [](int value) { return std::to_string(value); };
-    const rhi::Extent scattering{static_cast<std::uint32_t>(s.nu_nodes * s.sun_nodes), static_cast<std::uint32_t>(s.view_nodes),
-                                 static_cast<std::uint32_t>(s.altitude_nodes)};
     const bool gauss = s.sampling == models::BrunetonSampling::gauss;
     return {{"transmittance table", s.transmittance, quality_.table_format, count(s.transmittance_nodes) + " nodes a ray"},
             {"irradiance table", s.irradiance, rhi::Format::rgba32_float, "of the sky, all orders"},
-            {"scattering table", scattering, s.format,
-             count(s.orders) + " orders, " +
-                 (gauss ? count(s.ray_nodes) + " nodes a piece of ray, " + count(2 * s.zenith_nodes * s.azimuth_nodes) +
-                              " directions"
-                        : "50 steps a ray, 512 directions")}};
+            {"scattering table", bruneton_scattering_extent(s), s.format,
+             count(s.orders) + " orders, " + (gauss ? count(s.ray_nodes) + " nodes a piece of ray, " : "50 steps a ray, ") +
+                 count(bruneton_directions(s).count()) + " directions"}};
 }
 
 /// `A` of the sun's axis (bruneton.glsl): how long the ray from the ground towards the lowest sun is.

@@ -1,5 +1,6 @@
 #include "models/bruneton/solution.h"
 
+#include "models/bruneton/extents.h"
 #include "quadrature/gauss_legendre.h"
 
 #include "aureole_atmosphere_shaders.h"
@@ -11,7 +12,6 @@ namespace aureole::detail {
 namespace {
 
 constexpr rhi::Usage work_usage = rhi::Usage::sampled | rhi::Usage::storage;
-constexpr int published_zenith_nodes = 8, published_azimuth_nodes = 16;  // 16 x 32 over the sphere, less symmetry
 
 std::uint32_t unsigned_of(int value) { return static_cast<std::uint32_t>(value); }
 
@@ -28,19 +28,14 @@ BrunetonSolution::BrunetonSolution(AirResources& shared, const models::BrunetonS
       combined_(combined),
       layers_(combined ? 1 : 1 + std::popcount(shared.air.sharp_phases)),
       slices_(settings.altitude_nodes) {
-    const bool published = settings.sampling == models::BrunetonSampling::published;
-    zenith_nodes_ = published ? published_zenith_nodes : settings.zenith_nodes;
-    azimuth_nodes_ = published ? published_azimuth_nodes : settings.azimuth_nodes;
+    const BrunetonDirections directions = bruneton_directions(settings);
+    zenith_nodes_ = directions.zenith_nodes;
+    azimuth_nodes_ = directions.azimuth_nodes;
     Objects& objects = shared.objects;
-    const rhi::Extent field{unsigned_of(settings.sun_nodes), unsigned_of(2 * zenith_nodes_ * azimuth_nodes_),
-                            unsigned_of(slices_)};
-    arriving_ = objects.texture({"bruneton field", rhi::Dimension::d3, rhi::Format::rgba32_float, field, work_usage});
+    arriving_ = objects.texture(
+        {"bruneton field", rhi::Dimension::d3, rhi::Format::rgba32_float, bruneton_field_extent(settings), work_usage});
     source_ = objects.texture(
-        {"bruneton source",
-         rhi::Dimension::d3,
-         settings.format,
-         {unsigned_of(settings.nu_nodes * settings.sun_nodes), unsigned_of(settings.view_nodes), unsigned_of(slices_)},
-         work_usage});
+        {"bruneton source", rhi::Dimension::d3, settings.format, bruneton_scattering_extent(settings), work_usage});
     ray_rule_ = quadrature_block(settings.ray_nodes);
     zenith_rule_ = quadrature_block(zenith_nodes_);
     ray_quadrature_ = objects.constants("bruneton ray quadrature", sizeof ray_rule_);

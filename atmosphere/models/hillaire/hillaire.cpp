@@ -38,7 +38,7 @@ std::vector<ModelTable> HillaireModel::tables_for(const AtmosphereParameters&) c
     std::vector<ModelTable> tables{
         {"transmittance table", s.transmittance, s.table_format, steps(s.transmittance_steps, "a ray")},
         {"multi-scatter table", s.multi_scatter, s.table_format,
-         "64 rays of " + std::to_string(s.multi_scatter_steps) + " steps"}};
+         std::to_string(hillaire_rays_per_node) + " rays of " + std::to_string(s.multi_scatter_steps) + " steps"}};
     tables.push_back({"sky-view table", s.sky_view, s.table_format,
                       steps(s.sky_view_steps, s.fast_sky ? "a ray" : "a ray; for light alone, pixels march")});
     if (s.fast_aerial_perspective) tables.push_back({"froxels", s.aerial_perspective, s.froxel_format, "two steps a slice"});
@@ -49,9 +49,9 @@ void HillaireModel::require(const rhi::Device& device) const {
     const rhi::Capabilities& capabilities = device.capabilities();
     require_table(device, settings_.table_format, rhi::Dimension::d2);
     require_table(device, settings_.froxel_format, rhi::Dimension::d3);
-    const rhi::Extent &t = settings_.transmittance, &m = settings_.multi_scatter, &f = settings_.aerial_perspective;
+    const rhi::Extent &t = settings_.transmittance, &f = settings_.aerial_perspective;
     require_size("device.max_texture_2d", capabilities.max_texture_2d,
-                 std::max({t.width, t.height, 2 * m.width * m.height, settings_.sky_view.width}));
+                 std::max({t.width, t.height, hillaire_rays_extent(settings_).height, settings_.sky_view.width}));
     require_size("device.max_texture_3d", capabilities.max_texture_3d, std::max({f.width, f.height, f.depth}));
 }
 

@@ -6,7 +6,6 @@ namespace aureole::detail {
 namespace {
 
 constexpr rhi::Usage table_usage = rhi::Usage::sampled | rhi::Usage::storage;
-constexpr std::uint32_t rays_per_node = 64;
 
 }  // namespace
 
@@ -14,11 +13,8 @@ HillaireMultiScatterPass::HillaireMultiScatterPass(AirResources& shared, Tracked
                                                    const models::HillaireSettings& settings) {
     Objects& objects = shared.objects;
     const rhi::Extent size = settings.multi_scatter;
-    rays_ = objects.texture({"multi_scatter rays",
-                             rhi::Dimension::d2,
-                             rhi::Format::rgba32_float,
-                             {rays_per_node, 2 * size.width * size.height, 1},
-                             table_usage});
+    rays_ = objects.texture(
+        {"multi_scatter rays", rhi::Dimension::d2, rhi::Format::rgba32_float, hillaire_rays_extent(settings), table_usage});
     table_ = objects.texture({"multi_scatter", rhi::Dimension::d2, settings.table_format, size, table_usage});
     rays_pipeline_ = objects.compute(
         shaders::hillaire_multi_scatter_rays,
@@ -38,7 +34,7 @@ void HillaireMultiScatterPass::record(rhi::CommandList& commands, PassReport& re
     PassScope scope(commands, report, timestamps, index);
     move(commands, {{&rays_, rhi::State::storage_write}});
     scope.dispatch(shaders::hillaire_multi_scatter_rays, rays_pipeline_, rays_bindings_,
-                   {rays_per_node, rays_.extent.height / 2, 1});
+                   {rays_.extent.width, rays_.extent.height / 2, 1});
     move(commands, {{&rays_, rhi::State::sampled}, {&table_, rhi::State::storage_write}});
     scope.dispatch(shaders::hillaire_multi_scatter, sum_pipeline_, sum_bindings_, table_.extent);
     move(commands, {{&table_, rhi::State::sampled}});

@@ -7,6 +7,14 @@
 
 namespace aureole::detail {
 
+/// 8 x 8, which each node of the table sends out (hillaire_multi_scatter_rays.comp.glsl).
+inline constexpr std::uint32_t hillaire_rays_per_node = 64;
+
+/// A column a ray, two rows a node: light scattered once, and the share of it that is scattered again.
+[[nodiscard]] inline rhi::Extent hillaire_rays_extent(const models::HillaireSettings& settings) {
+    return {hillaire_rays_per_node, 2 * settings.multi_scatter.width * settings.multi_scatter.height, 1};
+}
+
 class HillaireMultiScatterPass {
 public:
     HillaireMultiScatterPass(AirResources& shared, TrackedTexture& transmittance, const models::HillaireSettings& settings);

@@ -358,7 +358,7 @@ def check_measure():
     measured = json.loads((FOLDER / 'report/measurements.json').read_text())
     errors = {r['setting']: r['regions']['all']['median'] for r in measured['results']}
     expect(errors['fog default'] > errors['single-lut default'] > 0.1, f'measure: errors {errors}')
-    expect(all(r['split']['model']['median'] > 0 for r in measured['results']) and measured['library'], 'measure: parts')
+    expect(all(r['split']['all']['model']['median'] > 0 for r in measured['results']) and measured['library'], 'measure: parts')
     expect([c['setting'] for c in measured['costs']] == ['fog default', 'single-lut default'] and
            measured['costs'][1]['composite_ms']['median'] > 0 and measured['costs'][1]['rebuild']['medium_evaluations'] > 0 and
            measured['pictures'] == [], f'measure: costs {measured["costs"]}')

@@ -8,6 +8,7 @@
 
 #include <unistd.h>
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -70,6 +71,7 @@ void write_all(const nlohmann::json& measured, const MeasureCommand& command) {
 }
 
 void run_measure(const MeasureCommand& command) {
+    const auto started = std::chrono::steady_clock::now();
     Suite suite = read_suite(find_suite(command.suite));
     keep_models(suite, command.models);
     keep_airs(suite, command.airs);
@@ -109,7 +111,10 @@ void run_measure(const MeasureCommand& command) {
         measured["cost_size"] = {options.cost_width, options.cost_height};
     }
     run->check();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    measured["seconds"] = seconds;  // of this run
     write_all(measured, command);
+    std::printf("measured in %.0f s\n", seconds);
     run->close();
     exact->close();
 }

@@ -164,7 +164,7 @@ public:
     }
 
     /// What each pass of one round does. The backend counts (BackendOptions::count_work).
-    std::map<std::string, rhi::CpuCounts> count(bool composites) {
+    CostCounts count(bool composites) {
         update(0);
         auto counts = count_passes(backend_, [&](rhi::CommandList& commands) { record_plain(commands, {}, {}, composites); });
         if (!composites) return counts;
@@ -173,7 +173,7 @@ public:
         return counts;
     }
 
-    void set_counts(const std::map<std::string, rhi::CpuCounts>& counts) { counts_ = counts; }
+    void set_counts(const CostCounts& counts) { counts_ = counts; }
 
     void finish() {
         for (const std::string& name : names_) {
@@ -245,7 +245,7 @@ private:
     std::vector<std::string> names_;  // of all passes, as PassCosts has them
     std::map<std::string, std::vector<double>> samples_;
     std::vector<double> per_frame_, frame_, rebuild_;
-    std::map<std::string, rhi::CpuCounts> counts_;
+    CostCounts counts_;
 };
 
 std::unique_ptr<Subject> open(Backend& backend, const PassCostOptions& options, const Scenes& scenes,
@@ -306,8 +306,15 @@ std::vector<PassCosts> pass_costs(Backend& backend, std::span<const CostSubject>
         counted.features = false;
         if (options.counted_width > 0) counted.width = options.counted_width, counted.height = options.counted_height;
         const Scenes inputs(*counter, counted);
-        for (std::size_t i = 0; i < running.size(); ++i)
-            running[i]->set_counts(open(*counter, counted, inputs, subjects[i])->count(options.composites));
+        for (std::size_t i = 0; i < running.size(); ++i) {
+            if (i < options.known_counts.size()) {
+                running[i]->set_counts(options.known_counts[i]);
+                continue;
+            }
+            const CostCounts counts = open(*counter, counted, inputs, subjects[i])->count(options.composites);
+            running[i]->set_counts(counts);
+            if (options.after_counted) options.after_counted(counts);
+        }
     }
     std::vector<PassCosts> results;
     for (const auto& subject : running) {

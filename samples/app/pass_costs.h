@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,8 @@ struct CostSubject {
 
 /// What one round took: of each subject every pass, in milliseconds.
 using CostRound = std::vector<std::vector<PassTime>>;
+/// Of one subject: its passes' work by name.
+using CostCounts = std::map<std::string, rhi::CpuCounts>;
 
 struct PassCostOptions {
     std::uint32_t width = 1280, height = 720;  ///< Of the composite.
@@ -44,6 +47,9 @@ struct PassCostOptions {
     /// Rounds that an earlier run has measured of the same subjects: they count, and so many fewer are run.
     std::vector<CostRound> known{};
     std::function<void(const CostRound&)> after_measured{};  ///< Told of each round that is run and counts.
+    /// The same of what has been counted: of the first subjects.
+    std::vector<CostCounts> known_counts{};
+    std::function<void(const CostCounts&)> after_counted{};
 };
 
 /// Milliseconds: the middle and what 80 % of the samples lie between.

@@ -38,14 +38,12 @@ void print_state(const std::filesystem::path& file, std::size_t missing, std::si
 }
 
 /// What is missing of directions; a checkpoint beside the table keeps what an interrupted run has done.
-void complete_rows(const Suite& suite, const SuiteAir& air, TruthKind kind, std::span<const ProbeRow> wanted, double error,
-                   Backend& backend) {
+void complete_rows(const Suite& suite, const SuiteAir& air, TruthKind kind, std::span<const ProbeRow> wanted,
+                   const TraceSettings& settings, Backend& backend) {
     if (wanted.empty()) return;
     const std::filesystem::path file = truth_file(suite, air, kind), checkpoint = file.string() + ".checkpoint";
     const TraceParameters parameters = truth_parameters(air);
     TruthTable table = TruthTable::read(file, parameters, kind);
-    TraceSettings settings = settings_of(air);
-    settings.error = error;
     const std::vector<ProbeRow> rows = table.missing(wanted, {settings.error, settings.max_paths});
     print_state(file, rows.size(), table.size(), "directions");
     if (rows.empty()) return;
@@ -70,8 +68,9 @@ void complete_pictures(const Suite& suite, std::size_t index, Backend& backend) 
     for (const std::size_t i : suite.scenes_of(index))
         if (suite.scenes[i].picture)
             for (const ProbeRow& row : picture_rows(suite.scenes[i])) rows.push_back(row);
-    complete_rows(suite, suite.airs[index], TruthKind::picture, rows, std::max(suite.airs[index].truth_error, picture_error),
-                  backend);
+    TraceSettings settings = settings_of(suite.airs[index]);
+    settings.error = std::max(settings.error, picture_error);
+    complete_rows(suite, suite.airs[index], TruthKind::picture, rows, settings, backend);
 }
 
 /// Scenes of an air that a table lacks, each traced and kept in turn.
@@ -167,7 +166,12 @@ void run_truth(const TruthOptions& options) {
     std::filesystem::create_directories(suite.truth_folder);
     const std::unique_ptr<Backend> backend = open_backend(options.backend);
     for (std::size_t i = 0; i < suite.airs.size(); ++i) {
-        complete_rows(suite, suite.airs[i], TruthKind::sky, truth_rows(suite, i), suite.airs[i].truth_error, *backend);
+        for (const TruthRows& sky : truth_rows(suite, i)) {
+            TraceSettings settings = settings_of(suite.airs[i]);
+            settings.error = sky.error;
+            settings.max_paths = static_cast<std::uint64_t>(sky.max_paths);
+            complete_rows(suite, suite.airs[i], TruthKind::sky, sky.rows, settings, *backend);
+        }
         complete_aerial(suite, i, *backend);
         complete_light(suite, i, *backend);
         complete_pictures(suite, i, *backend);

@@ -1,7 +1,5 @@
 #include "measure/compare.h"
 
-#include "app/solution.h"
-
 #include <aureole/rhi/error.h>
 
 #include <algorithm>
@@ -39,16 +37,59 @@ private:
     const TruthTable& table_;
 };
 
-ErrorParts parts_of(const Place& place, const Looks& looks) {
-    Errors rounding, discretisation, model;
-    for (std::size_t i = 0; i < place.points.size(); ++i) {
-        const TrueValue& truth = place.truth[i];
-        const Rgb &run = looks.run->points[i], &exact = looks.exact->points[i], &fine = looks.converged->points[i];
-        rounding.add(part_of_error(run, exact, truth));
-        discretisation.add(part_of_error(exact, fine, truth));
-        model.add(part_of_error(fine, truth.value, truth));
+/// The three of one value that is seen thrice, by `error_of(a, b)`; none where that is none.
+template <class ErrorOf, class Value>
+std::optional<FigureParts> parts_of(const ErrorOf& error_of, const Value& run, const Value& exact, const Value& fine,
+                                    const Value& truth) {
+    const std::optional<double> rounding = error_of(run, exact), discretisation = error_of(exact, fine),
+                                model = error_of(fine, truth);
+    if (!rounding || !discretisation || !model) return {};
+    return FigureParts{*rounding, *discretisation, *model};
+}
+
+/// Of many directions.
+class Parts {
+public:
+    void add(const std::optional<FigureParts>& of) {
+        if (!of) return;
+        rounding_.add(of->rounding);
+        discretisation_.add(of->discretisation);
+        model_.add(of->model);
+        sum_.add(of->rounding + of->discretisation + of->model);
     }
-    return {rounding.summary(), discretisation.summary(), model.summary()};
+    [[nodiscard]] ErrorParts summary() const {
+        return {rounding_.summary(), discretisation_.summary(), model_.summary(), sum_.summary()};
+    }
+
+private:
+    Errors rounding_, discretisation_, model_, sum_;
+};
+
+/// Region of an index of Place::truth.
+Region region_of(const Place& place, std::size_t i) {
+    return i < place.points.size() ? place.points[i].region : Region::aerial;
+}
+
+void split(const Place& place, const Looks& looks, SceneResult& result) {
+    Parts all;
+    std::array<Parts, region_names.size()> regions;
+    for (std::size_t i = 0; i < place.truth.size(); ++i) {
+        const TrueValue& truth = place.truth[i];
+        const auto error_of = [&](const Rgb& a, const Rgb& b) { return part_of_error(a, b, truth); };
+        const auto parts =
+            parts_of(error_of, looks.run->points[i], looks.exact->points[i], looks.converged->points[i], truth.value);
+        regions[static_cast<std::size_t>(region_of(place, i))].add(parts);
+        if (i < place.points.size()) all.add(parts);
+    }
+    result.parts = all.summary();
+    for (std::size_t i = 0; i < regions.size(); ++i)
+        if (result.regions[i].rows > 0) result.region_parts[i] = regions[i].summary();
+    const MeasuredLight &run = looks.run->light, &exact = looks.exact->light, &fine = looks.converged->light;
+    result.sun_colour_parts = parts_of([&](const Rgb& a, const Rgb& b) { return part_of_error(a, b, place.sun); },
+                                       run.sun_irradiance, exact.sun_irradiance, fine.sun_irradiance, place.sun.value);
+    result.sky_illuminance_parts =
+        parts_of([&](const Rgb& a, const Rgb& b) { return luminance_part(a, b, place.sky); }, run.sky_irradiance_up,
+                 exact.sky_irradiance_up, fine.sky_irradiance_up, place.sky.value);
 }
 
 /// Of the two rows of a scan.
@@ -93,7 +134,7 @@ std::vector<Place> places_of(const Suite& suite, std::size_t air, const AirTruth
     return places;
 }
 
-std::vector<Seen> look(Backend& backend, const Prepared& prepared, const Suite& suite, std::span<const Place> places) {
+std::vector<Seen> look(Backend& backend, Atmosphere& air, const Suite& suite, std::span<const Place> places) {
     std::vector<ProbeRow> rows;
     std::vector<AerialView> views;
     std::vector<LightPlace> lights;
@@ -104,10 +145,9 @@ std::vector<Seen> look(Backend& backend, const Prepared& prepared, const Suite& 
         const SuiteScene& scene = suite.scenes[place.scene];
         lights.push_back({scene.sun_zenith_deg(), scene.altitude_km()});
     }
-    const std::unique_ptr<Atmosphere> air = solved(backend, prepared.air, prepared.model);
-    const std::vector<Rgb> radiance = probe(backend, *air, rows);
-    const std::vector<std::vector<Rgb>> pictures = aerial(backend, *air, views);
-    const std::vector<MeasuredLight> light = app::light(backend, *air, lights);
+    const std::vector<Rgb> radiance = probe(backend, air, rows);
+    const std::vector<std::vector<Rgb>> pictures = aerial(backend, air, views);
+    const std::vector<MeasuredLight> light = app::light(backend, air, lights);
     std::vector<Seen> result;
     auto next = radiance.begin();
     auto picture = pictures.begin();
@@ -138,9 +178,10 @@ SceneResult compare(const Place& place, const Looks& looks) {
     const std::span seen = std::span(looks.run->points).first(place.points.size());
     for (std::size_t i = 0; i < place.truth.size(); ++i) {
         const std::optional<double> error = relative_error(looks.run->points[i], place.truth[i]);
-        const bool is_sky = i < truth.size();
-        regions[static_cast<std::size_t>(is_sky ? place.points[i].region : Region::aerial)].add(error);
-        if (!is_sky) continue;
+        const auto region = static_cast<std::size_t>(region_of(place, i));
+        regions[region].add(error);
+        ++result.asked[region];
+        if (i >= truth.size()) continue;
         all.add(error);
         if (error) colours.add(shown_difference(seen[i], truth[i].value, place.exposure));
     }
@@ -151,7 +192,7 @@ SceneResult compare(const Place& place, const Looks& looks) {
     result.sky_illuminance = luminance_error(looks.run->light.sky_irradiance_up, place.sky);
     result.sun_colour = relative_error(looks.run->light.sun_irradiance, place.sun);
     if (!looks.exact || !looks.converged) return result;
-    result.parts = parts_of(place, looks);
+    split(place, looks, result);
     if (!place.scan.empty()) result.banding = banding_of(place, *looks.run, *looks.converged);
     return result;
 }

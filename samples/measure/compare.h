@@ -31,21 +31,28 @@ struct Seen {
     std::vector<Rgb> points, scan;  ///< As in Place: pixels of geometry follow the points.
     MeasuredLight light;
 };
-/// One for each place.
-[[nodiscard]] std::vector<Seen> look(Backend& backend, const Prepared& prepared, const Suite& suite,
-                                     std::span<const Place> places);
+/// One for each place, in air that is solved (app/solution.h).
+[[nodiscard]] std::vector<Seen> look(Backend& backend, Atmosphere& air, const Suite& suite, std::span<const Place> places);
 
-/// Parts of an error: none is greater than their sum.
+/// Parts of an error.
 struct ErrorParts {
     ErrorSummary rounding;        ///< As it runs, against the same in double with nothing rounded.
     ErrorSummary discretisation;  ///< That, against the same model as fine as it gets, in float at least.
     ErrorSummary model;           ///< That, against the truth.
+    ErrorSummary sum;             ///< Of each direction's three: no quantile of it is less than that of the error.
+};
+/// The same of one figure.
+struct FigureParts {
+    double rounding = 0, discretisation = 0, model = 0;
 };
 struct SceneResult {
     std::size_t scene = 0;  ///< Index of Suite::scenes.
-    ErrorSummary all;       ///< Of all directions; geometry is a region of its own, and in none of what follows either.
+    ErrorSummary all;       ///< Of all directions; geometry is a region of its own, and in none of what follows `regions`.
     std::array<ErrorSummary, region_names.size()> regions;
-    std::optional<ErrorParts> parts;
+    std::array<std::size_t, region_names.size()> asked{};  ///< Directions of each, also where the truth is too noisy.
+    std::optional<ErrorParts> parts;                       ///< Of all directions.
+    std::array<std::optional<ErrorParts>, region_names.size()> region_parts;
+    std::optional<FigureParts> sky_illuminance_parts, sun_colour_parts;
     std::optional<double> luminance_rmse;   ///< None where nothing is known, or black.
     std::optional<double> sky_illuminance;  ///< Error of luminance; none where the truth is unknown.
     std::optional<double> sun_colour;       ///< Error as of a radiance; none for a sun that has set.

@@ -55,6 +55,8 @@ std::vector<Cost> costs(Backend& backend, std::span<const CostSubject> subjects,
     measured.features = options.features;
     measured.known = options.known;
     measured.after_measured = options.after_measured;
+    measured.known_counts = options.known_counts;
+    measured.after_counted = options.after_counted;
     measured.counted_width = std::max(options.width / coarser, 1U);
     measured.counted_height = std::max(options.height / coarser, 1U);
     std::vector<Cost> found;

@@ -18,6 +18,8 @@ struct CostOptions {
     bool features = false;           ///< As PassCostOptions has it.
     std::vector<CostRound> known{};  ///< As PassCostOptions has them.
     std::function<void(const CostRound&)> after_measured{};
+    std::vector<CostCounts> known_counts{};
+    std::function<void(const CostCounts&)> after_counted{};
 };
 
 struct Cost {

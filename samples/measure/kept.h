@@ -6,6 +6,7 @@
 #include <cctype>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 namespace aureole::app {
@@ -27,17 +28,26 @@ namespace aureole::app {
     return id + ".json";
 }
 
-/// What the file holds if it was kept under the same key; else what `make` makes, which is kept. A broken file counts as none.
-template <class Make>
-nlohmann::json kept_or(const std::filesystem::path& file, const nlohmann::json& key, const Make& make) {
-    if (std::filesystem::exists(file)) {
-        nlohmann::json kept = nlohmann::json::parse(read_text(file), nullptr, false);
-        if (kept.is_object() && kept.value("key", nlohmann::json()) == key && kept.contains("results"))
-            return std::move(kept.at("results"));
-    }
-    nlohmann::json results = make();
+/// What the file holds if it was kept under the same key. A broken file counts as none.
+[[nodiscard]] inline std::optional<nlohmann::json> kept_under(const std::filesystem::path& file, const nlohmann::json& key) {
+    if (!std::filesystem::exists(file)) return {};
+    nlohmann::json kept = nlohmann::json::parse(read_text(file), nullptr, false);
+    if (!kept.is_object() || kept.value("key", nlohmann::json()) != key || !kept.contains("results")) return {};
+    return std::move(kept.at("results"));
+}
+
+/// Replaces the file.
+inline void keep(const std::filesystem::path& file, const nlohmann::json& key, const nlohmann::json& results) {
     std::filesystem::create_directories(file.parent_path());
     write_text(file, nlohmann::json{{"key", key}, {"results", results}}.dump() + "\n");
+}
+
+/// The one, or what `make` makes, which is kept.
+template <class Make>
+nlohmann::json kept_or(const std::filesystem::path& file, const nlohmann::json& key, const Make& make) {
+    if (std::optional<nlohmann::json> kept = kept_under(file, key)) return std::move(*kept);
+    nlohmann::json results = make();
+    keep(file, key, results);
     return results;
 }
 

@@ -1,9 +1,11 @@
 #include "measure/measure.h"
 
+#include "app/solution.h"
 #include "measure/kept.h"
 #include "plan/situation.h"
 
 #include <map>
+#include <numeric>
 
 namespace aureole::app {
 namespace {
@@ -14,17 +16,38 @@ json to_json(const ErrorSummary& e) {
     return e.rows == 0 ? json{{"rows", 0}} : json{{"rows", e.rows}, {"median", e.median}, {"p95", e.p95}, {"max", e.worst}};
 }
 
+/// With how many directions there are, known or not.
+json to_json(const ErrorSummary& e, std::size_t asked) {
+    json out = to_json(e);
+    out["asked"] = asked;
+    return out;
+}
+
+json to_json(const ErrorParts& parts) {
+    return {{"rounding", to_json(parts.rounding)},
+            {"discretisation", to_json(parts.discretisation)},
+            {"model", to_json(parts.model)},
+            {"sum", to_json(parts.sum)}};
+}
+json to_json(const FigureParts& parts) {
+    return {{"rounding", parts.rounding}, {"discretisation", parts.discretisation}, {"model", parts.model}};
+}
+
 json to_json(const Suite& suite, const Setting& setting, const SceneResult& result) {
+    const std::size_t in_sky = std::accumulate(result.asked.begin(), result.asked.end(), std::size_t{0}) -
+                               result.asked[static_cast<std::size_t>(Region::aerial)];
     json out{{"scene", suite.id(suite.scenes[result.scene])},
              {"setting", setting.id()},
-             {"regions", {{"all", to_json(result.all)}}},
+             {"regions", {{"all", to_json(result.all, in_sky)}}},
              {"delta_e", to_json(result.delta_e)}};
-    for (std::size_t i = 0; i < region_names.size(); ++i)
-        if (result.regions[i].rows > 0) out["regions"][std::string(region_names[i])] = to_json(result.regions[i]);
-    if (result.parts)
-        out["split"] = {{"rounding", to_json(result.parts->rounding)},
-                        {"discretisation", to_json(result.parts->discretisation)},
-                        {"model", to_json(result.parts->model)}};
+    for (std::size_t i = 0; i < region_names.size(); ++i) {
+        const std::string name(region_names[i]);
+        if (result.asked[i] > 0) out["regions"][name] = to_json(result.regions[i], result.asked[i]);
+        if (result.region_parts[i]) out["split"][name] = to_json(*result.region_parts[i]);
+    }
+    if (result.parts) out["split"]["all"] = to_json(*result.parts);
+    if (result.sky_illuminance_parts) out["figure_split"]["sky_illuminance"] = to_json(*result.sky_illuminance_parts);
+    if (result.sun_colour_parts) out["figure_split"]["sun_colour"] = to_json(*result.sun_colour_parts);
     if (result.luminance_rmse) out["luminance_rmse"] = *result.luminance_rmse;
     if (result.sky_illuminance) out["sky_illuminance"] = *result.sky_illuminance;
     if (result.sun_colour) out["sun_colour"] = *result.sun_colour;
@@ -68,6 +91,9 @@ bool filters_floats(Backend& backend) {
            backend.device().format_support(rhi::Format::rgba32_float, rhi::Dimension::d3).linear_filter;
 }
 
+/// Few enough for less than a minute, and so many that a device's pipelines are not made for each.
+constexpr std::size_t places_kept_together = 16;
+
 /// Settings of one air.
 class AirMeasurement {
 public:
@@ -87,7 +113,9 @@ public:
     json item(const Setting& setting) {
         if (!is_for(setting, air_)) return json::array();
         const std::filesystem::path file = options_.out / "items" / air_.name / file_name(setting.id());
-        return kept_or(file, key_of(setting), [&] { return measured(setting); });
+        json results = kept_or(file, key_of(setting), [&] { return measured(setting); });
+        for (const char* as : {"run", "exact"}) std::filesystem::remove(part_file(setting, as));
+        return results;
     }
 
 private:
@@ -100,10 +128,9 @@ private:
                 {"build", build_stamp()}};
     }
     json measured(const Setting& setting) {
-        const Prepared prepared = prepare(setting, air_.parameters).value();
-        const std::vector<Seen> run = look(run_, prepared, suite_, places_);
+        const std::vector<Seen> run = looked(run_, setting, "run");
         const bool parts = options_.parts && setting.model != "reference";  // whose error is noise
-        const std::vector<Seen> exact = parts ? look(exact_, prepared, suite_, places_) : std::vector<Seen>();
+        const std::vector<Seen> exact = parts ? looked(exact_, setting, "exact") : std::vector<Seen>();
         const std::vector<Seen>* fine = parts ? &converged_look(setting) : nullptr;
         json results = json::array();
         for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -114,6 +141,28 @@ private:
         return results;
     }
 
+    [[nodiscard]] std::filesystem::path part_file(const Setting& setting, const std::string& as) const {
+        return options_.out / "items" / air_.name / ("part_" + as + "_" + file_name(setting.id()));
+    }
+    /// All places, kept after every few: the tables of a long look are made anew by the next run, not what was seen by them.
+    std::vector<Seen> looked(Backend& backend, const Setting& setting, const std::string& as) {
+        json key = key_of(setting);
+        key["device"] = backend.describe();
+        const std::filesystem::path file = part_file(setting, as);
+        std::vector<Seen> seen;
+        if (std::optional<json> kept = kept_under(file, key)) seen = seen_in(*kept);
+        std::unique_ptr<Atmosphere> air;
+        while (seen.size() < places_.size()) {
+            const Prepared prepared = prepare(setting, air_.parameters).value();
+            if (!air) air = solved(backend, prepared.air, prepared.model);
+            const std::size_t count = std::min(places_kept_together, places_.size() - seen.size());
+            for (Seen& one : look(backend, *air, suite_, std::span(places_).subspan(seen.size(), count)))
+                seen.push_back(std::move(one));
+            keep(file, key, to_json(seen));
+        }
+        return seen;
+    }
+
     const std::vector<Seen>& converged_look(const Setting& setting) {
         const Setting fine = converged(setting);
         const auto [at, is_new] = converged_.try_emplace(fine.id());
@@ -121,8 +170,8 @@ private:
         json key = key_of(fine);
         key["device"] = fine_.describe();
         const std::filesystem::path file = options_.out / "items" / air_.name / ("look_" + file_name(fine.id()));
-        at->second = seen_in(
-            kept_or(file, key, [&] { return to_json(look(fine_, prepare(fine, air_.parameters).value(), suite_, places_)); }));
+        at->second = seen_in(kept_or(file, key, [&] { return to_json(looked(fine_, fine, "converged")); }));
+        std::filesystem::remove(part_file(fine, "converged"));
         return at->second;
     }
 

@@ -55,16 +55,30 @@ std::vector<CostSubject> subjects_of(const Suite& suite, const SuiteAir& air) {
     return subjects;
 }
 
-/// Rounds that have been measured, in a file that grows with each.
+/// Rounds that have been measured, and what has been counted, in a file that grows with each.
 class KeptRounds {
 public:
     KeptRounds(std::filesystem::path file, json key) : file_(std::move(file)), key_(std::move(key)) {
-        rounds_ = std::filesystem::exists(file_) ? json::parse(read_text(file_), nullptr, false) : json();
-        if (!rounds_.is_object() || rounds_.value("key", json()) != key_) rounds_ = {{"key", key_}, {"rounds", json::array()}};
+        kept_ = std::filesystem::exists(file_) ? json::parse(read_text(file_), nullptr, false) : json();
+        if (!kept_.is_object() || kept_.value("key", json()) != key_)
+            kept_ = {{"key", key_}, {"rounds", json::array()}, {"counts", json::array()}};
     }
-    [[nodiscard]] std::vector<CostRound> known() const {
+    [[nodiscard]] std::vector<CostCounts> counts() const {
+        std::vector<CostCounts> result;
+        for (const json& subject : kept_.at("counts")) {
+            CostCounts& known = result.emplace_back();
+            for (const auto& [pass, c] : subject.items()) known[pass] = {c.at(0), c.at(1), c.at(2), c.at(3), c.at(4)};
+        }
+        return result;
+    }
+    void add(const CostCounts& counts) {
+        json& subject = kept_["counts"].emplace_back(json::object());
+        for (const auto& [pass, c] : counts) subject[pass] = {c.evaluations, c.samples, c.fetches, c.stores, c.bytes};
+        write();
+    }
+    [[nodiscard]] std::vector<CostRound> rounds() const {
         std::vector<CostRound> result;
-        for (const json& round : rounds_.at("rounds")) {
+        for (const json& round : kept_.at("rounds")) {
             CostRound& known = result.emplace_back();
             for (const json& subject : round) {
                 std::vector<PassTime>& times = known.emplace_back();
@@ -74,19 +88,22 @@ public:
         return result;
     }
     void add(const CostRound& round) {
-        json& subjects = rounds_["rounds"].emplace_back(json::array());
+        json& subjects = kept_["rounds"].emplace_back(json::array());
         for (const std::vector<PassTime>& times : round) {
             json& subject = subjects.emplace_back(json::array());
             for (const PassTime& time : times) subject.push_back({time.name, time.milliseconds});
         }
-        std::filesystem::create_directories(file_.parent_path());
-        write_text(file_, rounds_.dump() + "\n");
+        write();
     }
     void remove() { std::filesystem::remove(file_); }
 
 private:
+    void write() const {
+        std::filesystem::create_directories(file_.parent_path());
+        write_text(file_, kept_.dump() + "\n");
+    }
     std::filesystem::path file_;
-    json key_, rounds_;
+    json key_, kept_;
 };
 
 }  // namespace
@@ -110,8 +127,10 @@ json measure_costs(const Suite& suite, const MeasureOptions& options, Backend& r
             KeptRounds kept(folder / "cost_rounds.json", key);
             CostOptions wanted{
                 .width = options.cost_width, .height = options.cost_height, .rounds = options.cost_rounds, .features = true};
-            wanted.known = kept.known();
+            wanted.known = kept.rounds();
             wanted.after_measured = [&](const CostRound& round) { kept.add(round); };
+            wanted.known_counts = kept.counts();
+            wanted.after_counted = [&](const CostCounts& counts) { kept.add(counts); };
             std::size_t done = wanted.known.size();
             const std::vector<Cost> measured = costs(
                 run, subjects, wanted, [&] { after_round(i * rounds + std::min(++done, rounds), suite.airs.size() * rounds); });

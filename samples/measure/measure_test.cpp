@@ -37,7 +37,7 @@ Suite with_own_truth(Backend& exact) {
     std::filesystem::remove_all("measured");
     std::filesystem::create_directories("measured/truth");
     Suite suite = parse_suite(suite_text, "measured/s.toml");
-    const std::vector<ProbeRow> rows = truth_rows(suite, 0);
+    const std::vector<ProbeRow> rows = truth_rows(suite, 0).at(0).rows;
     const Prepared fine = prepare(converged(suite.settings[0]), suite.airs[0].parameters).value();
     const std::vector<Rgb> radiance = probe(exact, fine.air, fine.model, rows);
     TruthTable table;
@@ -75,6 +75,32 @@ const json& result(const json& all, const std::string& scene, const std::string&
     throw 0;
 }
 
+/// Of every region, and of light: the parts together bound the error, and none is there without the others.
+void check_split(const json& one) {
+    std::size_t regions = 0;
+    for (const auto& [name, region] : one.at("regions").items()) {
+        if (region.at("rows") == 0) continue;
+        CAPTURE(name);
+        const json& split = one.at("split").at(name);
+        for (const char* part : {"rounding", "discretisation", "model", "sum"})
+            CHECK(split.at(part).at("rows") == region.at("rows"));
+        for (const char* quantile : {"median", "p95", "max"}) {
+            CHECK(split.at("sum").at(quantile).get<double>() >= region.at(quantile).get<double>() * (1 - 1e-9));
+            CHECK(split.at("sum").at(quantile) >= split.at("model").at(quantile));
+        }
+        ++regions;
+    }
+    CHECK(regions == one.at("split").size());
+    CHECK(one.at("split").contains("aerial"));
+    for (const char* figure : {"sky_illuminance", "sun_colour"}) {
+        const json& parts = one.at("figure_split").at(figure);
+        const double sum =
+            parts.at("rounding").get<double>() + parts.at("discretisation").get<double>() + parts.at("model").get<double>();
+        CHECK(sum >= one.at(figure).get<double>() * (1 - 1e-9));
+        CHECK(parts.at("rounding") < 1e-3);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("measure: errors and their parts, where they are known otherwise" * doctest::test_suite("long")) {
@@ -96,11 +122,12 @@ TEST_CASE("measure: errors and their parts, where they are known otherwise" * do
         CHECK(coarse > fine);
         CHECK(fine < 0.02);
         // The truth is the model's own, rounded to float.
-        CHECK(standard.at("split").at("model").at("max") < 1e-5);
-        CHECK(low.at("split").at("rounding").at("max") < 1e-3);
-        CHECK(low.at("split").at("discretisation").at("p95") == doctest::Approx(coarse).epsilon(0.05).scale(1e-300));
+        CHECK(standard.at("split").at("all").at("model").at("max") < 1e-5);
+        CHECK(low.at("split").at("all").at("rounding").at("max") < 1e-3);
+        CHECK(low.at("split").at("all").at("discretisation").at("p95") == doctest::Approx(coarse).epsilon(0.05).scale(1e-300));
         // Without ozone it is another model, whose own finest setting is as wrong.
-        CHECK(dry.at("split").at("model").at("median") > 5 * dry.at("split").at("discretisation").at("median").get<double>());
+        CHECK(dry.at("split").at("all").at("model").at("median") >
+              5 * dry.at("split").at("all").at("discretisation").at("median").get<double>());
         CHECK(low.at("delta_e").at("p95") > 0);
         CHECK(low.at("luminance_rmse") > standard.at("luminance_rmse"));
         CHECK(standard.at("banding_delta_e") < 1);
@@ -108,10 +135,17 @@ TEST_CASE("measure: errors and their parts, where they are known otherwise" * do
         CHECK(standard.at("sky_illuminance") < 0.01);
         CHECK(dry.at("sky_illuminance") > standard.at("sky_illuminance"));
         CHECK(dry.at("sun_colour") > 10 * standard.at("sun_colour").get<double>());
+        for (const json* one : {&low, &standard, &dry}) check_split(*one);
         std::size_t rows = 0;
         for (const auto& [name, region] : low.at("regions").items())
             if (name != "all" && name != "aerial") rows += region.at("rows").get<std::size_t>();
         CHECK(rows == low.at("regions").at("all").at("rows"));
+        CHECK(rows == low.at("regions").at("all").at("asked"));
+        // Geometry's parts are of geometry: of the model's own truth nothing is the model's.
+        CHECK(standard.at("split").at("aerial").at("model").at("max") < 1e-4);
+        CHECK(dry.at("split").at("aerial").at("model").at("p95") > 1e-3);
+        CHECK(dry.at("figure_split").at("sun_colour").at("model") >
+              10 * dry.at("figure_split").at("sun_colour").at("discretisation").get<double>());
     }
 }
 

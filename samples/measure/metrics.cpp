@@ -45,6 +45,11 @@ std::optional<double> luminance_error(const Rgb& seen, const TrueValue& truth) {
     return std::abs(luminance(seen) / luminance(truth.value) - 1);
 }
 
+std::optional<double> luminance_part(const Rgb& a, const Rgb& b, const TrueValue& truth) {
+    if (!is_known(truth)) return {};
+    return std::abs(luminance(a) - luminance(b)) / luminance(truth.value);
+}
+
 std::optional<double> luminance_rmse(std::span<const Rgb> seen, std::span<const TrueValue> truth) {
     double squares = 0, light = 0, rows = 0;
     for (std::size_t i = 0; i < truth.size(); ++i) {

@@ -28,8 +28,9 @@ struct TrueValue {
 /// sum |a - b| / sum |truth| over the channels: a part of such an error. None where that is none.
 [[nodiscard]] std::optional<double> part_of_error(const Rgb& a, const Rgb& b, const TrueValue& truth);
 
-/// Of the luminance (illuminance) alone, relative; none as above.
+/// Of the luminance (illuminance) alone, relative; none as above. A part of it: |a - b| over the true one.
 [[nodiscard]] std::optional<double> luminance_error(const Rgb& seen, const TrueValue& truth);
+[[nodiscard]] std::optional<double> luminance_part(const Rgb& a, const Rgb& b, const TrueValue& truth);
 
 /// Root of the mean squared error of luminance over the mean true luminance; none for no light. Rows whose truth is too noisy
 /// are left out.

@@ -20,9 +20,11 @@ bool names_a_file(const std::string& name) {
            name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_") == std::string::npos;
 }
 
-void read_precision(Section& section, SuiteAir& air) {
-    air.truth_error = section.number("truth_error", {1e-4, 0.1}).value_or(air.truth_error);
-    air.truth_max_paths = section.number("truth_max_paths", {4096, 1e12}).value_or(air.truth_max_paths);
+/// Of a suite, an air or a scene: as it is where the section says nothing.
+template <class Of>
+void read_precision(Section& section, Of& of) {
+    of.truth_error = section.number("truth_error", {1e-4, 0.1}).value_or(of.truth_error);
+    of.truth_max_paths = section.number("truth_max_paths", {4096, 1e12}).value_or(of.truth_max_paths);
 }
 
 SuiteAir read_air(Section section, const SuiteAir& as_suite_says) {
@@ -68,10 +70,16 @@ void read_scenes(Section section, Suite& suite) {
     const std::vector<double> altitudes = required_numbers(section, "altitude_m", {0, 1e12});
     check_product(section, "scenes", {suite.scenes.size(), airs.size(), elevations.size(), altitudes.size()});
     const bool aerial = section.boolean("aerial").value_or(false), picture = section.boolean("picture").value_or(false);
-    for (const std::size_t air : airs)
+    for (const std::size_t air : airs) {
+        SuiteScene scene{scene_class, air, 0, 0, aerial, picture, suite.airs[air].truth_error, suite.airs[air].truth_max_paths};
+        read_precision(section, scene);
         for (const double elevation : elevations)
-            for (const double altitude : altitudes)
-                suite.scenes.push_back({scene_class, air, elevation, altitude, aerial, picture});
+            for (const double altitude : altitudes) {
+                scene.sun_elevation_deg = elevation;
+                scene.altitude_m = altitude;
+                suite.scenes.push_back(scene);
+            }
+    }
     section.finish();
 }
 

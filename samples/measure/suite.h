@@ -27,8 +27,9 @@ struct SuiteScene {
     std::size_t air = 0;      ///< Index of Suite::airs.
     double sun_elevation_deg = 0;
     double altitude_m = 0;
-    bool aerial = false;   ///< Also geometry, through the air.
-    bool picture = false;  ///< Also a picture of all that is around.
+    bool aerial = false;                          ///< Also geometry, through the air.
+    bool picture = false;                         ///< Also a picture of all that is around.
+    double truth_error = 0, truth_max_paths = 0;  ///< Of the sky's directions: as the scenes say, else as the air.
 
     [[nodiscard]] double sun_zenith_deg() const { return 90 - sun_elevation_deg; }
     [[nodiscard]] double altitude_km() const { return altitude_m / 1000; }

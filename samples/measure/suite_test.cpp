@@ -31,6 +31,7 @@ altitude_m = [2, 400000]
 [[scenes]]
 class = "Night"
 air = "earth"
+truth_max_paths = 1e7
 sun_elevation_deg = [-20]
 altitude_m = [2]
 [[setting]]
@@ -64,6 +65,9 @@ TEST_CASE("suite: scenes are every combination, settings every model and quality
     CHECK(suite.title == "Two airs");
     CHECK(suite.airs[0].truth_error == 0.01);
     CHECK(suite.airs[1].truth_error == 0.02);
+    CHECK(suite.scenes[0].truth_error == 0.01);
+    CHECK(suite.scenes[0].truth_max_paths == suite.airs[0].truth_max_paths);
+    CHECK(suite.scenes.back().truth_max_paths == 1e7);
     CHECK(suite.truth_folder == "folder/truth");
     REQUIRE(suite.airs.size() == 2);
     CHECK(suite.airs[0].parameters == presets::earth());

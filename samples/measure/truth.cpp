@@ -141,18 +141,23 @@ TraceParameters truth_parameters(const SuiteAir& air) {
     return parameters;
 }
 
-std::vector<ProbeRow> truth_rows(const Suite& suite, std::size_t air) {
-    std::vector<ProbeRow> rows;
+std::vector<TruthRows> truth_rows(const Suite& suite, std::size_t air) {
+    std::vector<TruthRows> all;
     for (const std::size_t i : suite.scenes_of(air)) {
         const SuiteScene& scene = suite.scenes[i];
+        auto alike = std::ranges::find_if(
+            all, [&](const TruthRows& of) { return of.error == scene.truth_error && of.max_paths == scene.truth_max_paths; });
+        if (alike == all.end()) alike = all.insert(all.end(), {scene.truth_error, scene.truth_max_paths, {}});
         for (const Point& point : points_of(suite.airs[air].parameters.planet, scene.sun_zenith_deg(), scene.altitude_km()))
-            rows.push_back(point.row);
+            alike->rows.push_back(point.row);
     }
     const auto less = [](const ProbeRow& a, const ProbeRow& b) { return place_of(a) < place_of(b); };
     const auto same = [](const ProbeRow& a, const ProbeRow& b) { return place_of(a) == place_of(b); };
-    std::ranges::sort(rows, less);
-    rows.erase(std::unique(rows.begin(), rows.end(), same), rows.end());
-    return rows;
+    for (TruthRows& of : all) {
+        std::ranges::sort(of.rows, less);
+        of.rows.erase(std::unique(of.rows.begin(), of.rows.end(), same), of.rows.end());
+    }
+    return all;
 }
 
 AerialView aerial_view(const SuiteScene& scene) { return {scene.sun_zenith_deg(), scene.altitude_km(), aerial_azimuth_deg}; }

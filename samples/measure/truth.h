@@ -68,8 +68,12 @@ struct AirTruth {
 [[nodiscard]] std::filesystem::path truth_file(const Suite& suite, const SuiteAir& air, TruthKind kind);
 /// What an air's tables depend on.
 [[nodiscard]] TraceParameters truth_parameters(const SuiteAir& air);
-/// Every direction of this air's scenes (points.h), each once.
-[[nodiscard]] std::vector<ProbeRow> truth_rows(const Suite& suite, std::size_t air);
+/// Directions of an air's scenes (points.h) that are to be known equally well, each once.
+struct TruthRows {
+    double error = 0, max_paths = 0;
+    std::vector<ProbeRow> rows;
+};
+[[nodiscard]] std::vector<TruthRows> truth_rows(const Suite& suite, std::size_t air);
 
 /// The picture of a scene with geometry, and where its pixels stand in the table.
 [[nodiscard]] AerialView aerial_view(const SuiteScene& scene);

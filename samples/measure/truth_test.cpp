@@ -31,7 +31,7 @@ TruthTable::Entry entry(double value) { return {{Rgb(value, 2 * value, 3 * value
 TEST_CASE("truth: a table reads back as it was written, and knows what it lacks") {
     const Suite suite = parse_suite(suite_text, "s.toml");
     const TraceParameters parameters = truth_parameters(suite.airs[0]);
-    const std::vector<ProbeRow> rows = truth_rows(suite, 0);
+    const std::vector<ProbeRow> rows = truth_rows(suite, 0).at(0).rows;
     REQUIRE(rows.size() > 60);
     TruthTable table = TruthTable::read("no_such.csv", parameters);
     CHECK(table.size() == 0);

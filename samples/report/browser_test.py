@@ -173,9 +173,11 @@ def check_charts(found, measurements):
         same(key, 'sun', 'lines', 0 if missing else len({result['setting'] for result in points}))
     for key in (key for key in found if key.startswith('split')):
         name = key.split('Scenes=')[1] if 'Scenes=' in key else 'Earth by day'
-        settings = len({result['setting'] for result in rows_of(measurements, name) if 'split' in result})
-        log = key.endswith('=log')
-        same(key, 'split', 'bars', settings + (0 if log else 3 * settings))
+        of = key.split('Of=')[1] if 'Of=' in key else 'all'
+        regions = {result['setting'] for result in rows_of(measurements, name) if of in result.get('split', {})}
+        figures = {result['setting'] for result in rows_of(measurements, name) if of in result.get('figure_split', {})}
+        settings, log = len(regions | figures), key.endswith('=log')
+        same(key, 'split', 'bars', settings + (0 if log else 3 * settings))  # a tick for the total
         same(key, 'split', 'points', 3 * settings if log else 0)
     return wrong
 

@@ -87,17 +87,26 @@ std::vector<Column> columns_of(const Measurements& all) {
                            }});
         add_spread(columns, name, [=](const Row& row) { return find(row.result.regions, name); });
     }
-    for (const std::string_view view : part_names) {
-        const std::string name(view);
-        add_spread(columns, name, [=](const Row& row) { return find(row.result.split, name); });
-    }
+    std::vector<std::string> split(region_names.begin(), region_names.end()), parts(part_names.begin(), part_names.end());
+    split.insert(split.end(), split_figures.begin(), split_figures.end());
+    parts.emplace_back(sum_name);
+    for (const std::string& what : split)
+        for (const std::string& part : parts)
+            add_spread(columns, what == "all" ? part : what + "_" + part, [=](const Row& row) {
+                const auto found = row.result.split.find(what);
+                return found == row.result.split.end() ? nullptr : find(found->second, part);
+            });
     add_spread(columns, "delta_e", [](const Row& row) { return row.result.delta_e ? &*row.result.delta_e : nullptr; });
     for (const Figure& figure : scene_figures)
         if (const std::string key(figure.key); key != "delta_e_p95")  // is among the spread's
             columns.push_back({key, [=](const Row& row) { return cell(row.result.figures, key); }});
     for (const Figure& figure : cost_figures) {
-        const std::string key(figure.key);
-        columns.push_back({key, [=](const Row& row) { return row.cost ? cell(row.cost->figures, key) : std::string(); }});
+        const std::vector<const char*> ends =
+            figure.unit == Unit::milliseconds ? std::vector{"", "_p10", "_p90"} : std::vector{""};
+        for (const char* end : ends) {
+            const std::string key = std::string(figure.key) + end;
+            columns.push_back({key, [=](const Row& row) { return row.cost ? cell(row.cost->figures, key) : std::string(); }});
+        }
     }
     return columns;
 }

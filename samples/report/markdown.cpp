@@ -47,24 +47,54 @@ std::string settings_table(const Measurements& all, const ClassSummary& of) {
     return out;
 }
 
+using SplitColumns = std::vector<std::pair<double Spread::*, const char*>>;
+
+/// Columns of a setting's parts, of a region or figure.
+void add_parts(std::vector<std::string>& cells, const Summary& summary, const std::string& of, std::string_view part,
+               const SplitColumns& columns) {
+    const auto region = summary.split.find(of);
+    for (const auto& [which, title] : columns) {
+        const bool there = region != summary.split.end() && region->second.contains(std::string(part));
+        cells.push_back(there ? in_unit(region->second.at(std::string(part)).*which, Unit::percent)
+                              : std::string(not_measured));
+    }
+}
+
 std::string split_table(const Measurements& all, const ClassSummary& of) {
+    const SplitColumns columns{{&Spread::median, " median"}, {&Spread::p95, " p95"}, {&Spread::max, " max"}};
     std::string rows;
     for (const Summary& summary : of.settings) {
         if (summary.split.empty()) continue;
         std::vector<std::string> cells{cell(all.settings[summary.setting].id)};
-        for (const std::string_view part : part_names) {
-            const auto found = summary.split.find(std::string(part));
-            const bool there = found != summary.split.end();
-            for (double Spread::*const which : {&Spread::median, &Spread::p95, &Spread::max})
-                cells.push_back(there ? in_unit(found->second.*which, Unit::percent) : std::string(not_measured));
-        }
+        for (const std::string_view part : part_names) add_parts(cells, summary, "all", part, columns);
+        add_parts(cells, summary, "all", sum_name, {columns[1]});
         rows += row(cells);
     }
     if (rows.empty()) return "What the errors are made of was not measured.\n";
     std::vector<std::string> titles{"Setting"};
     for (const std::string_view part : part_names)
-        for (const char* which : {" median", " p95", " max"}) titles.push_back(std::string(part) + which + ", %");
+        for (const auto& [which, title] : columns) titles.push_back(std::string(part) + title + ", %");
+    titles.emplace_back("together p95, %");
     return "What the errors are made of:\n\n" + header(titles) + rows;
+}
+
+/// Of geometry the 95th percentiles, of light the worst scene's.
+std::string split_rest_table(const Measurements& all, const ClassSummary& of) {
+    const std::array<std::pair<const char*, const char*>, 3> what{
+        {{"aerial", "geometry p95"}, {"sky_illuminance", "illuminance"}, {"sun_colour", "sun colour"}}};
+    std::vector<std::string> titles{"Setting"};
+    for (const auto& [key, title] : what)
+        for (const std::string_view part : part_names) titles.push_back(std::string(title) + ": " + std::string(part) + ", %");
+    std::string rows;
+    for (const Summary& summary : of.settings) {
+        if (std::ranges::none_of(what, [&](const auto& one) { return summary.split.contains(one.first); })) continue;
+        std::vector<std::string> cells{cell(all.settings[summary.setting].id)};
+        for (const auto& [key, title] : what)
+            for (const std::string_view part : part_names) add_parts(cells, summary, key, part, {{&Spread::p95, ""}});
+        rows += row(cells);
+    }
+    if (rows.empty()) return "";
+    return "\nThe same of geometry and light:\n\n" + header(titles) + rows;
 }
 
 std::string added(const std::optional<double>& error) {
@@ -83,12 +113,17 @@ std::string saved(const Simplification& of, const Figure& figure) {
 
 std::string simplifications_table(const Measurements& all, const ClassSummary& of) {
     if (of.simplifications.empty()) return "What simplifications cost was not measured.\n";
-    std::vector<std::string> titles{"Without", "of", "added median, %", "added p95, %"};
+    std::vector<std::string> titles{
+        "Without", "of", "added median, %", "added p95, %", "geometry: added median, %", "geometry: added p95, %"};
     for (const Figure& figure : shown_costs()) titles.push_back("saved " + std::string(figure.title));
     std::string out = "What each simplification costs and saves:\n\n" + header(titles);
     for (const Simplification& one : of.simplifications) {
-        std::vector<std::string> cells{cell(join(all.settings[one.setting].without, ", ")), cell(all.settings[one.baseline].id),
-                                       added(one.added_median), added(one.added_p95)};
+        std::vector<std::string> cells{cell(join(all.settings[one.setting].without, ", ")),
+                                       cell(all.settings[one.baseline].id),
+                                       added(one.added_median),
+                                       added(one.added_p95),
+                                       added(one.added_geometry_median),
+                                       added(one.added_geometry_p95)};
         for (const Figure& figure : shown_costs()) cells.push_back(saved(one, figure));
         out += row(cells);
     }
@@ -116,7 +151,8 @@ std::string markdown_tables(const nlohmann::json& measurements, const std::strin
             out += "Not measured.\n";
             continue;
         }
-        out += settings_table(all, of) + "\n" + split_table(all, of) + "\n" + simplifications_table(all, of);
+        out += settings_table(all, of) + "\n" + split_table(all, of) + split_rest_table(all, of) + "\n" +
+               simplifications_table(all, of);
     }
     return out;
 }

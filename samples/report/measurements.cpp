@@ -130,6 +130,29 @@ std::vector<MeasuredSetting> read_settings(const Field& root, Places& known) {
     return settings;
 }
 
+void read_split(const Field& field, MeasuredResult& result) {
+    std::vector<std::string> parts(part_names.begin(), part_names.end());
+    parts.emplace_back(sum_name);
+    if (field.has("split"))
+        for (const std::string_view view : region_names) {
+            const std::string region(view);
+            if (!field.at("split").has(region)) continue;
+            const Field split = field.at("split").at(region);
+            for (const std::string& part : parts)
+                if (split.has(part) && !is_empty(split.at(part))) result.split[region][part] = read_spread(split.at(part));
+        }
+    if (!field.has("figure_split")) return;
+    for (const std::string_view view : split_figures) {
+        const std::string figure(view);
+        if (!field.at("figure_split").has(figure)) continue;
+        const Field split = field.at("figure_split").at(figure);
+        for (const std::string_view part : part_names) {
+            const double error = split.at(std::string(part)).error();
+            result.split[figure][std::string(part)] = {error, error, error};
+        }
+    }
+}
+
 MeasuredResult read_result(const Field& field, const Places& scenes, const Places& settings) {
     MeasuredResult result;
     result.scene = find(field.at("scene"), scenes, "scene");
@@ -142,10 +165,7 @@ MeasuredResult read_result(const Field& field, const Places& scenes, const Place
         result.regions[name] = read_spread(regions.at(name));
         result.rows[name] = static_cast<std::size_t>(regions.at(name).at("rows").number(0, 1e9, "a number of directions"));
     }
-    if (field.has("split"))
-        for (const std::string_view part : part_names)
-            if (const std::string name(part); field.at("split").has(name) && !is_empty(field.at("split").at(name)))
-                result.split[name] = read_spread(field.at("split").at(name));
+    read_split(field, result);
     if (field.has("delta_e") && !is_empty(field.at("delta_e"))) {
         result.delta_e = read_spread(field.at("delta_e"));
         result.figures["delta_e_p95"] = result.delta_e->p95;
@@ -160,7 +180,11 @@ MeasuredCost read_cost(const Field& field, const std::set<std::string>& airs, co
     MeasuredCost cost{field.at("air").text(), find(field.at("setting"), settings, "setting"), {}};
     if (!airs.contains(cost.air)) field.at("air").reject("the air of a scene");
     for (const char* time : {"per_frame_ms", "rebuild_ms", "composite_ms"})
-        if (field.has(time)) cost.figures[time] = field.at(time).at("median").amount();
+        if (field.has(time)) {
+            cost.figures[time] = field.at(time).at("median").amount();
+            for (const std::string end : {"p10", "p90"})
+                if (field.at(time).has(end)) cost.figures[time + ("_" + end)] = field.at(time).at(end).amount();
+        }
     for (const std::string when : {"per_frame", "rebuild"})
         if (field.has(when))
             for (const std::string what : {"medium_evaluations", "fetches", "bytes_written"})

@@ -17,6 +17,10 @@ inline constexpr std::array<std::string_view, 7> region_names{"all",       "zeni
                                                               "antisolar", "nadir",  "aerial"};
 /// What an error is made of.
 inline constexpr std::array<std::string_view, 3> part_names{"rounding", "discretisation", "model"};
+/// Of each direction the three together: no quantile is less than that of the error.
+inline constexpr std::string_view sum_name = "sum";
+/// What is split beside regions: figures, of which all quantiles are the same.
+inline constexpr std::array<std::string_view, 2> split_figures{"sky_illuminance", "sun_colour"};
 
 /// An error over many directions, as a fraction; infinite where light is shown and there is none.
 struct Spread {
@@ -39,16 +43,17 @@ struct MeasuredResult {
     std::size_t scene = 0, setting = 0;
     std::map<std::string, Spread> regions;    ///< By region_names, where there are directions.
     std::map<std::string, std::size_t> rows;  ///< Directions in each of `regions`.
-    std::map<std::string, Spread> split;      ///< By part_names.
-    std::optional<Spread> delta_e;            ///< CIEDE2000.
-    std::map<std::string, double> figures;    ///< By keys of scene_figures.
+    /// By region_names or split_figures, and by part_names, sum_name among them (not of figures).
+    std::map<std::string, std::map<std::string, Spread>> split;
+    std::optional<Spread> delta_e;          ///< CIEDE2000.
+    std::map<std::string, double> figures;  ///< By keys of scene_figures.
 };
 
 /// One setting in one air.
 struct MeasuredCost {
     std::string air;
     std::size_t setting = 0;
-    std::map<std::string, double> figures;  ///< By keys of cost_figures.
+    std::map<std::string, double> figures;  ///< By keys of cost_figures; of times also with "_p10" and "_p90" behind.
 };
 
 /// Texts of PNG files in base64.

@@ -23,10 +23,12 @@ json to_json(const std::map<std::string, Spread>& spreads) {
 }
 
 json to_json(const Summary& of, const Measurements& all) {
+    json split = json::object();
+    for (const auto& [name, parts] : of.split) split[name] = to_json(parts);
     return {{"setting", all.settings[of.setting].id},
             {"scenes", of.scenes},
             {"regions", to_json(of.regions)},
-            {"split", to_json(of.split)},
+            {"split", std::move(split)},
             {"errors", of.errors},
             {"costs", of.costs}};
 }
@@ -41,6 +43,8 @@ json to_json(const Simplification& of, const Measurements& all) {
             {"scenes", of.scenes},
             {"added_median", number(of.added_median)},
             {"added_p95", number(of.added_p95)},
+            {"added_geometry_median", number(of.added_geometry_median)},
+            {"added_geometry_p95", number(of.added_geometry_p95)},
             {"costs", std::move(costs)}};
 }
 
@@ -102,6 +106,7 @@ json page_data(const Measurements& all) {
              {"pictures", pictures_of(all)},
              {"regions", region_names},
              {"parts", part_names},
+             {"split_figures", split_figures},
              {"note", aggregation_note},
              {"scene_figures", to_json(scene_figures)},
              {"cost_figures", to_json(cost_figures)},

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <span>
+#include <tuple>
 
 namespace aureole::app::report {
 namespace {
@@ -19,11 +21,12 @@ double median(std::vector<double> values) {
 }
 
 /// By name: median of medians, greatest of the rest.
-std::map<std::string, Spread> over_scenes(const Results& results, std::map<std::string, Spread> MeasuredResult::*member) {
+template <class SpreadsOf>
+std::map<std::string, Spread> over_scenes(const Results& results, const SpreadsOf& spreads_of) {
     std::map<std::string, std::vector<double>> medians;
     std::map<std::string, Spread> worst;
     for (const MeasuredResult* result : results)
-        for (const auto& [name, spread] : result->*member) {
+        for (const auto& [name, spread] : spreads_of(*result)) {
             medians[name].push_back(spread.median);
             Spread& so_far = worst[name];
             so_far.p95 = std::max(so_far.p95, spread.p95);
@@ -57,21 +60,29 @@ std::optional<double> difference(double value, double from) {
     return value - from;
 }
 
-Simplification compare(const Measurements& all, std::size_t setting, const Results& with, const Results& whole) {
-    Simplification out{setting, *all.settings[setting].baseline, 0, {}, {}, {}};
-    const Summary less = summarize(all, setting, only(with, whole)), more = summarize(all, out.baseline, only(whole, with));
-    out.scenes = less.scenes;
-    // Scene by scene: the worst scene of both may be another than the one that loses most.
+/// Scene by scene, of medians and of 95th percentiles: the worst scene of both may be another than the one that loses most.
+std::pair<std::optional<double>, std::optional<double>> added_in(const std::string& region, const Results& with,
+                                                                 const Results& whole) {
     std::vector<double> medians, p95;
-    for (const MeasuredResult* one : only(with, whole))
+    for (const MeasuredResult* one : with)
         for (const MeasuredResult* other : whole) {
-            if (other->scene != one->scene || !one->regions.contains("all") || !other->regions.contains("all")) continue;
-            const Spread &here = one->regions.at("all"), &there = other->regions.at("all");
+            if (other->scene != one->scene || !one->regions.contains(region) || !other->regions.contains(region)) continue;
+            const Spread &here = one->regions.at(region), &there = other->regions.at(region);
             if (const auto added = difference(here.median, there.median)) medians.push_back(*added);
             if (const auto added = difference(here.p95, there.p95)) p95.push_back(*added);
         }
-    if (!medians.empty()) out.added_median = median(medians);
-    if (!p95.empty()) out.added_p95 = *std::max_element(p95.begin(), p95.end());
+    std::pair<std::optional<double>, std::optional<double>> added;
+    if (!medians.empty()) added.first = median(medians);
+    if (!p95.empty()) added.second = *std::ranges::max_element(p95);
+    return added;
+}
+
+Simplification compare(const Measurements& all, std::size_t setting, const Results& with, const Results& whole) {
+    Simplification out{setting, *all.settings[setting].baseline, 0, {}, {}, {}, {}, {}};
+    const Summary less = summarize(all, setting, only(with, whole)), more = summarize(all, out.baseline, only(whole, with));
+    out.scenes = less.scenes;
+    std::tie(out.added_median, out.added_p95) = added_in("all", only(with, whole), whole);
+    std::tie(out.added_geometry_median, out.added_geometry_p95) = added_in("aerial", only(with, whole), whole);
     for (const auto& [key, cost] : more.costs)
         if (less.costs.contains(key)) out.costs[key] = {cost, less.costs.at(key)};
     return out;
@@ -103,8 +114,15 @@ ClassSummary summarize_class(const Measurements& all, const std::string& name) {
 
 Summary summarize(const Measurements& all, std::size_t setting, const Results& results) {
     Summary out{setting, results.size(), {}, {}, {}, {}};
-    out.regions = over_scenes(results, &MeasuredResult::regions);
-    out.split = over_scenes(results, &MeasuredResult::split);
+    out.regions = over_scenes(results, [](const MeasuredResult& of) { return of.regions; });
+    std::set<std::string> what;
+    for (const MeasuredResult* result : results)
+        for (const auto& [name, parts] : result->split) what.insert(name);
+    for (const std::string& name : what)
+        out.split[name] = over_scenes(results, [&](const MeasuredResult& of) {
+            const auto found = of.split.find(name);
+            return found == of.split.end() ? std::map<std::string, Spread>{} : found->second;
+        });
     for (const MeasuredResult* result : results)
         for (const auto& [key, error] : result->figures) {
             double& worst = out.errors[key];

@@ -16,9 +16,10 @@ inline constexpr std::string_view aggregation_note =
 struct Summary {
     std::size_t setting = 0;
     std::size_t scenes = 0;
-    std::map<std::string, Spread> regions, split;
-    std::map<std::string, double> errors;  ///< By keys of scene_figures.
-    std::map<std::string, double> costs;   ///< By keys of cost_figures.
+    std::map<std::string, Spread> regions;
+    std::map<std::string, std::map<std::string, Spread>> split;  ///< As MeasuredResult's.
+    std::map<std::string, double> errors;                        ///< By keys of scene_figures.
+    std::map<std::string, double> costs;                         ///< By keys of cost_figures.
 };
 
 /// What leaving something out costs and saves: a setting minus its baseline, over the scenes of a class that both have.
@@ -27,6 +28,7 @@ struct Simplification {
     /// Of region `all`, fractions; negative: the error became smaller. Of the differences in each scene the median, and of
     /// the 95th percentiles' the greatest.
     std::optional<double> added_median, added_p95;
+    std::optional<double> added_geometry_median, added_geometry_p95;  ///< The same of region `aerial`.
     /// What the baseline and the setting cost, by keys of cost_figures: those that both have.
     std::map<std::string, std::pair<double, double>> costs;
 };

@@ -101,11 +101,11 @@ function splitChart(rows, totals, settings, title, colours, log) {
                 mark: log ? {type: 'point', filled: true, size: 80, opacity: 1} : {type: 'bar', height: 11},
                 encoding: log ? encoding : {...encoding, order: {field: 'order', type: 'quantitative'}},
             },
-            {
+            ...(totals.length ? [{
                 data: {values: totals.map(withTips)},
                 mark: {type: 'tick', color: token('ink'), thickness: 2.5, size: 19},
                 encoding: {x, y, tooltip: tooltip(totals)},
-            },
+            }] : []),
         ],
     });
 }

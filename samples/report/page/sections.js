@@ -203,6 +203,7 @@ function split(data) {
     const section = document.getElementById('split');
     const [form, legend, grid] = ['.controls', '.legend', '.grid'].map((name) => section.querySelector(name));
     const scenes = addSelect(form, 'Scenes', data.classes.map(({name}) => name), redraw);
+    const what = addSelect(form, 'Of', [...data.regions, ...data.split_figures], redraw);
     const statistic = addSelect(form, 'Error', STATISTICS, redraw, 'p95');
     const scale = addSelect(form, 'Scale', [['linear', 'linear, stacked'], ['log', 'logarithmic, side by side']], redraw);
 
@@ -217,15 +218,17 @@ function split(data) {
         const chart = panel(grid, 'split');
         const rows = [], totals = [], order = [], missing = [];
         for (const summary of data.classes.find(({name}) => name === scenes())?.settings ?? []) {
-            const errors = data.parts.map((part) => [part, summary.split[part]?.[statistic()]]);
+            const parts = summary.split[what()] ?? {};
+            const errors = data.parts.map((part) => [part, parts[part]?.[statistic()]]);
             if (errors.every(([, error]) => error === undefined)) {
                 missing.push(`${summary.setting} (${NOT_MEASURED})`);
                 continue;
             }
             order.push(summary.setting);
-            const total = summary.regions.all?.[statistic()];
-            const tips = [['setting', summary.setting],
-                          ...data.parts.map((part) => [part, percent(summary.split[part]?.[statistic()])]), ['all', percent(total)]];
+            // Of a figure the class has the worst scene's.
+            const total = summary.regions[what()]?.[statistic()] ?? (statistic() === 'median' ? undefined : summary.errors[what()]);
+            const tips = [['setting', summary.setting], ...errors.map(([part, error]) => [part, percent(error)]),
+                          ['each direction\'s three together', percent(parts.sum?.[statistic()])], [what(), percent(total)]];
             for (const [part, error] of errors) {
                 if (error === null) missing.push(`${part} of ${summary.setting} (∞)`);
                 else if (error !== undefined) rows.push({setting: summary.setting, part, error, tips});
@@ -236,7 +239,7 @@ function split(data) {
         const log = scale() === 'log', lifted = lift([...rows, ...totals].map((row) => row.error));
         for (const row of [...rows, ...totals]) row.value = (log ? lifted(row.error) : row.error) * 100;
         const title = STATISTICS.find(([key]) => key === statistic())[1];
-        draw(chart, splitChart(rows, totals, order, `${title} of each part, %`, colours, log));
+        draw(chart, splitChart(rows, totals, order, `${title} of each part (${what()}), %`, colours, log));
         if (missing.length) chart.after(element('p', {textContent: unlist(missing).trim()}));
     }
     return redraw;

@@ -22,7 +22,7 @@ const added = (error) => (error === null ? NOT_MEASURED : (error > 0 ? '+' : '')
 function simplifications(data) {
     const section = document.getElementById('simplifications'), place = section.querySelector('.table');
     const scenes = addSelect(section.querySelector('.controls'), 'Scenes', ['all', ...data.classes.map(({name}) => name)], redraw);
-    const titles = ['Without', 'of', 'scenes', 'added median, %', 'added p95, %',
+    const titles = ['Without', 'of', 'scenes', 'added median, %', 'added p95, %', 'geometry: added median, %', 'geometry: added p95, %',
                     ...data.cost_figures.map((figure) => `saved ${figure.title}`)];
 
     function redraw() {
@@ -31,10 +31,17 @@ function simplifications(data) {
             if (!of.simplifications.length) return missingText(`${of.name}: ${NOT_MEASURED}.`);
             return table(of.name, titles, of.simplifications.map((one) => [
                 one.without.join(', '), one.baseline, String(one.scenes), added(one.added_median), added(one.added_p95),
+                added(one.added_geometry_median), added(one.added_geometry_p95),
                 ...data.cost_figures.map((figure) => saved(one.costs[figure.key], figure.unit))]), 2);
         }));
     }
     return redraw;
+}
+
+/** " (1.2 to 1.4)": of times, where 80 of 100 rounds lie. */
+function spread(values, {key, unit}) {
+    const ends = ['p10', 'p90'].map((end) => values[`${key}_${end}`]);
+    return ends.includes(undefined) ? '' : ` (${ends.map((end) => inUnit(end, unit, {suffix: false})).join(' to ')})`;
 }
 
 function numbers(data) {
@@ -52,7 +59,8 @@ function numbers(data) {
             of.settings.map((summary) => [
                 summary.setting, String(summary.scenes),
                 ...STATISTICS.map(([key]) => inUnit(summary.regions[region()]?.[key], 'percent', {suffix: false})),
-                ...figures.map(([kind, figure]) => inUnit(summary[kind][figure.key], figure.unit, {suffix: false}))])));
+                ...figures.map(([kind, figure]) => inUnit(summary[kind][figure.key], figure.unit, {suffix: false}) +
+                                                   spread(summary[kind], figure))])));
     }
     return redraw;
 }

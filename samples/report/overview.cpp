@@ -63,10 +63,15 @@ std::string saved(const Simplification& of, std::string_view key) {
     return std::to_string(std::lround(100 * (before - after) / before)) + " %";
 }
 
-/// Rows of the simplifications, with a cell for each class; none of a setting of which all are missing.
+/// Simplifications by class: a column a class, a cell what `cell_of` says; empty: not measured.
+struct ByClass {
+    std::vector<std::string> titles;
+    std::vector<std::vector<std::string>> rows;
+};
 template <class CellOf>
-std::string simplification_rows(const Measurements& all, const std::vector<ClassSummary>& classes, const CellOf& cell_of) {
-    std::string rows;
+ByClass by_class(const Measurements& all, const std::vector<ClassSummary>& classes, const CellOf& cell_of) {
+    ByClass table{{"Without", "of"}, {}};
+    for (const ClassSummary& of : classes) table.titles.push_back(cell(of.name));
     for (std::size_t setting = 0; setting < all.settings.size(); ++setting) {
         if (!all.settings[setting].baseline || all.settings[setting].without.empty()) continue;
         std::vector<std::string> cells{cell(join(all.settings[setting].without, ", ")),
@@ -78,9 +83,31 @@ std::string simplification_rows(const Measurements& all, const std::vector<Class
             any |= !text.empty();
             cells.push_back(text.empty() ? std::string(not_measured) : text);
         }
-        if (any) rows += row(cells);
+        if (any) table.rows.push_back(std::move(cells));
     }
-    return rows;
+    return table;
+}
+
+/// Without the columns that say the same as one before: of classes in the same air.
+ByClass distinct(const ByClass& table) {
+    ByClass less{{}, std::vector<std::vector<std::string>>(table.rows.size())};
+    std::vector<std::vector<std::string>> seen;
+    for (std::size_t i = 0; i < table.titles.size(); ++i) {
+        std::vector<std::string> column;
+        for (const auto& cells : table.rows) column.push_back(cells[i]);
+        if (i > 1 && std::ranges::find(seen, column) != seen.end()) continue;
+        less.titles.push_back(table.titles[i]);
+        for (std::size_t k = 0; k < column.size(); ++k) less.rows[k].push_back(column[k]);
+        seen.push_back(std::move(column));
+    }
+    return less;
+}
+
+std::string print(const char* title, const ByClass& table) {
+    if (table.rows.empty()) return "";
+    std::string out = std::string("\n") + title + ":\n\n" + header(table.titles);
+    for (const auto& cells : table.rows) out += row(cells);
+    return out;
 }
 
 std::string pair_of(const std::optional<double>& median, const std::optional<double>& p95) {
@@ -88,31 +115,22 @@ std::string pair_of(const std::optional<double>& median, const std::optional<dou
 }
 
 std::string simplifications_at_a_glance(const Measurements& all, const std::vector<ClassSummary>& classes) {
-    std::vector<std::string> titles{"Without", "of"};
-    for (const ClassSummary& of : classes) titles.push_back(cell(of.name));
-    std::string out;
-    const auto add = [&](const std::string& title, const std::string& rows) {
-        if (!rows.empty()) out += "\n" + title + ":\n\n" + header(titles) + rows;
-    };
-    add("What each simplification adds to the error of the sky, in percentage points, median / 95th percentile",
-        simplification_rows(all, classes, [](const Simplification& one) { return pair_of(one.added_median, one.added_p95); }));
-    add("The same of geometry at 1 to 100 km, seen through the air",
-        simplification_rows(all, classes, [](const Simplification& one) {
-            return pair_of(one.added_geometry_median, one.added_geometry_p95);
-        }));
-    const auto saved_both = [](std::string_view frame, std::string_view rebuild) {
+    const auto both = [](std::string_view frame, std::string_view rebuild) {
         return [=](const Simplification& one) {
             return one.costs.empty() ? std::string() : saved(one, frame) + " / " + saved(one, rebuild);
         };
     };
-    add("What it saves of the milliseconds of a frame / of a rebuild",
-        simplification_rows(all, classes, saved_both("per_frame_ms", "rebuild_ms")));
-    add("What it saves of the look-ups of a frame / of a rebuild",
-        simplification_rows(all, classes, saved_both("per_frame_fetches", "rebuild_fetches")));
-    add("What it saves of the tables' memory", simplification_rows(all, classes, [](const Simplification& one) {
-            return one.costs.empty() ? std::string() : saved(one, "bytes");
-        }));
-    return out;
+    const auto sky = [](const Simplification& one) { return pair_of(one.added_median, one.added_p95); };
+    const auto geometry = [](const Simplification& one) { return pair_of(one.added_geometry_median, one.added_geometry_p95); };
+    const auto memory = [](const Simplification& one) { return one.costs.empty() ? std::string() : saved(one, "bytes"); };
+    return print("What each simplification adds to the error of the sky, in percentage points, median / 95th percentile",
+                 by_class(all, classes, sky)) +
+           print("The same of geometry at 1 to 100 km, seen through the air", by_class(all, classes, geometry)) +
+           print("What it saves of the milliseconds of a frame / of a rebuild, in the air of the first class that has it",
+                 distinct(by_class(all, classes, both("per_frame_ms", "rebuild_ms")))) +
+           print("Of the look-ups of a frame / of a rebuild",
+                 distinct(by_class(all, classes, both("per_frame_fetches", "rebuild_fetches")))) +
+           print("Of the tables' memory", distinct(by_class(all, classes, memory)));
 }
 
 }  // namespace

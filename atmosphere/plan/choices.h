@@ -8,9 +8,9 @@
 
 namespace aureole::detail {
 
-/// Of a plan whose setting, air, model, view, figures and candidates are known.
-[[nodiscard]] std::vector<PlanChoice> choices_of(const PlanRequirements& requirements, const MeasuredSkies& skies,
-                                                 Predictor& predictor, const Plan& plan);
+/// Of a plan whose setting, air, model, view, figures and candidates are known. `place`: any in its air.
+[[nodiscard]] std::vector<PlanChoice> choices_of(const PlanRequirements& requirements, const Predictor& predictor,
+                                                 const Situation& place, const Plan& plan);
 
 /// "1.27 MiB": three figures.
 [[nodiscard]] std::string with_unit(double value, const char* unit);

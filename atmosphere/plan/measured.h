@@ -7,6 +7,7 @@
 
 #include <aureole/setting.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>

@@ -4,7 +4,6 @@
 #include "common/check.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace aureole {
@@ -12,15 +11,19 @@ namespace {
 
 using namespace detail;
 
-constexpr std::size_t nearest_named = 3;
-
 void check_range(const std::string& field, const PlanRange& range, double low, double high) {
     check(field + ".least", range.least, low, high);
     check(field + ".most", range.most, range.least, high);
 }
 
-const MeasuredSkies& skies_for(const PlanRequirements& requirements) {
-    return requirements.wavelengths ? measured_in_wavelengths() : measured_in_rgb();
+/// Made once, when the first plan of its kind is.
+const Predictor& predictor_for(const PlanRequirements& requirements) {
+    if (requirements.wavelengths) {
+        static const Predictor of_wavelengths(measured_in_wavelengths());
+        return of_wavelengths;
+    }
+    static const Predictor of_rgb(measured_in_rgb());
+    return of_rgb;
 }
 
 /// What the view makes is what is needed.
@@ -41,16 +44,6 @@ std::vector<PlanCandidate> by_cost(std::vector<PlanCandidate> candidates) {
         return a.cost.charged_ms < b.cost.charged_ms;
     });
     return candidates;
-}
-
-/// The place that is least like any that was measured.
-Predictor::Nearest farthest(Predictor& predictor, const std::vector<Situation>& places) {
-    Predictor::Nearest worst = predictor.nearest(places.front(), nearest_named);
-    for (const Situation& place : places) {
-        Predictor::Nearest here = predictor.nearest(place, nearest_named);
-        if (here.distance > worst.distance) worst = std::move(here);
-    }
-    return worst;
 }
 
 }  // namespace
@@ -77,10 +70,11 @@ void validate(const PlanRequirements& r) {
 
 Plan plan(const PlanRequirements& requirements) {
     validate(requirements);
-    const MeasuredSkies& skies = skies_for(requirements);
-    Predictor predictor(skies);
+    const Predictor& predictor = predictor_for(requirements);
+    const std::vector<Situation> places = situations_of(requirements, predictor.skies());
+    Outlook seen = outlook(requirements, predictor, places);
     Plan plan;
-    plan.candidates = by_cost(candidates_of(requirements, skies, predictor));
+    plan.candidates = by_cost(std::move(seen.candidates));
     if (plan.candidates.empty() || !plan.candidates.front().excluded.empty())
         throw Error(ErrorCode::unsupported, requirements.wavelengths ? "wavelengths" : "air",
                     requirements.wavelengths ? "true" : "of these terms", "what settings were measured for");
@@ -93,11 +87,10 @@ Plan plan(const PlanRequirements& requirements) {
     plan.air = std::move(prepared.air);
     plan.model = std::move(prepared.model);
     plan.view = view_for(requirements);
-    const Predictor::Nearest near = farthest(predictor, situations_of(requirements, skies));
-    for (const std::size_t scene : near.scenes) plan.nearest.push_back(skies.scenes[scene].id);
-    plan.distance = near.distance;
-    plan.measured_on = skies.device;
-    plan.choices = choices_of(requirements, skies, predictor, plan);
+    for (const std::size_t scene : seen.nearest) plan.nearest.push_back(predictor.skies().scenes[scene].id);
+    plan.distance = seen.distance;
+    plan.measured_on = predictor.skies().device;
+    plan.choices = choices_of(requirements, predictor, places.front(), plan);
     return plan;
 }
 

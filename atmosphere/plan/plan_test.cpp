@@ -33,7 +33,7 @@ double measured(const MeasuredError& error, std::size_t scene) { return std::exp
 /// for it where they were not.
 double cheapest_that_meets(const PlanRequirements& needs, const MeasuredSkies& skies, std::size_t scene, double share) {
     double cheapest = std::numeric_limits<double>::infinity();
-    Predictor predictor(skies);
+    const Predictor predictor(skies);
     for (const MeasuredSetting& setting : skies.settings) {
         if (setting.sky_p95.by_scene[scene] == MeasuredError::unknown) continue;
         if (measured(setting.sky_p95, scene) > share * *needs.tolerance) continue;

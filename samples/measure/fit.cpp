@@ -185,16 +185,17 @@ Coverage coverage(const MeasuredSkies& skies, const std::vector<std::size_t>& he
     for (std::size_t i = 0; i < skies.scenes.size(); ++i)
         if (!std::ranges::binary_search(held_out, i)) seen.push_back(i);
     fit(fitted, seen);
-    detail::Predictor predictor(fitted, seen);
+    const detail::Predictor predictor(fitted, seen);
     Coverage result;
     std::vector<Foretold> of_sky, of_geometry;
     std::size_t kept = 0;
     for (const std::size_t i : held_out) {
         std::vector<Priced> sky;
+        detail::Predictor::Here here = predictor.at(skies.scenes[i].situation);
         for (const MeasuredSetting& setting : fitted.settings)
             for (const MeasuredError* error : {&setting.sky_p95, &setting.aerial_p95}) {
                 if (error->by_scene[i] == MeasuredError::unknown) continue;
-                const auto predicted = predictor.predict(*error, skies.scenes[i].situation);
+                const auto predicted = here.predict(*error);
                 if (!predicted) continue;
                 const double measured = std::exp(error->by_scene[i] / 1000.0);
                 (error == &setting.sky_p95 ? of_sky : of_geometry)

@@ -79,11 +79,18 @@ std::optional<PlanError> worse(const PlanRequirements& requirements, const Measu
     worst.median = std::max(worst.median, median->likely);
     worst.p95 = std::max(worst.p95, sky->likely);
     worst.bound = std::max(worst.bound, sky->bound);
-    if (!requirements.geometry) return worst;
-    const std::optional<PredictedError> through = here.predict(setting.aerial_p95);
-    if (!through) return {};
-    worst.p95 = std::max(worst.p95, through->likely);
-    worst.bound = std::max(worst.bound, through->bound);
+    if (requirements.geometry) {
+        const std::optional<PredictedError> through = here.predict(setting.aerial_p95);
+        if (!through) return {};
+        worst.p95 = std::max(worst.p95, through->likely);
+        worst.bound = std::max(worst.bound, through->bound);
+    }
+    if (requirements.light && here.predictor().knows_light()) {
+        const std::optional<PredictedError> light = here.predict(setting.light);
+        if (!light) return {};
+        worst.light = std::max(worst.light, light->likely);
+        worst.bound = std::max(worst.bound, light->bound);
+    }
     return worst;
 }
 

@@ -13,7 +13,8 @@ namespace aureole::detail {
 /// Places that stand for the ranges: their ends, some between, and every elevation between that was measured.
 [[nodiscard]] std::vector<Situation> situations_of(const PlanRequirements& requirements, const MeasuredSkies& skies);
 
-/// What a setting errs by in a place, by what a view shows, if that is worse than `so_far`; none where it is not known.
+/// What a setting errs by in a place, by what a view shows and its materials need, if that is worse than `so_far`; none where
+/// it is not known. In tables without any errors of light these are left aside.
 [[nodiscard]] std::optional<PlanError> worse(const PlanRequirements& requirements, const MeasuredSetting& setting,
                                              Predictor::Here& here, const PlanError& so_far);
 /// Whether a candidate meets tolerance and budgets.

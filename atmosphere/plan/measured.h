@@ -51,8 +51,11 @@ struct MeasuredCost {
 struct MeasuredSetting {
     Setting setting;
     MeasuredError sky_median, sky_p95, aerial_p95;
+    MeasuredError light;  ///< For a host's materials: of the sky's illuminance or of the sun's colour, whichever errs more.
     std::vector<MeasuredCost> by_air;
 };
+inline constexpr std::array measured_errors{&MeasuredSetting::sky_median, &MeasuredSetting::sky_p95,
+                                            &MeasuredSetting::aerial_p95, &MeasuredSetting::light};
 
 struct MeasuredScene {
     std::string id;

@@ -33,7 +33,7 @@ constexpr double least_cost = 1e-12;  // by work, of what takes no time at all
 
 /// The air alone.
 Situation at_rest(Situation situation) {
-    std::fill_n(situation.begin(), 3, 0.0);
+    std::fill_n(situation.begin(), axis_of_space + 1, 0.0);
     return situation;
 }
 
@@ -51,7 +51,8 @@ Predictor::Predictor(const MeasuredSkies& skies, std::vector<std::size_t> scenes
     all_ = family_of(index, scenes_, false);
     loneliest_ = std::ranges::max(families_[all_].kriging.left_out_variances());
     for (const MeasuredSetting& setting : skies.settings) {
-        for (const MeasuredError* error : {&setting.sky_median, &setting.sky_p95, &setting.aerial_p95}) learn(index, *error);
+        for (const auto error : measured_errors) learn(index, setting.*error);
+        knows_light_ |= errors_.contains(&setting.light);
         learn(index, setting);
     }
 }

@@ -14,7 +14,7 @@ namespace aureole::detail {
 /// An error that is known in fewer scenes is not predicted.
 inline constexpr std::size_t fewest_scenes = 4;
 
-/// Relative errors of radiance.
+/// Relative errors.
 struct PredictedError {
     double likely = 0;  ///< Middle of what is to be expected.
     double bound = 0;   ///< Upper bound, in 95 cases of 100 or more.
@@ -29,12 +29,15 @@ public:
     explicit Predictor(const MeasuredSkies& skies, std::vector<std::size_t> scenes = {});
 
     [[nodiscard]] const MeasuredSkies& skies() const { return skies_; }
+    /// Whether there are errors of light at all.
+    [[nodiscard]] bool knows_light() const { return knows_light_; }
 
     /// All about one place. What scenes weigh there is found once, and only for those that are asked about.
     class Here {
     public:
         /// `error` is one of the skies'. None where it is known in too few scenes.
         [[nodiscard]] std::optional<PredictedError> predict(const MeasuredError& error);
+        [[nodiscard]] const Predictor& predictor() const { return from_; }
         /// How far the place is from all scenes: 0 at a scene, 1 as far as the loneliest scene is from the others, by the
         /// deviation that Kriging expects.
         [[nodiscard]] double distance();
@@ -78,6 +81,7 @@ private:
     std::vector<std::optional<Situation>> airs_;  // of those scenes, sun and camera at rest: by index of MeasuredSkies::airs
     std::vector<Family> families_;
     std::size_t all_ = 0;   // the family of all scenes
+    bool knows_light_ = false;
     double loneliest_ = 1;  // variance of the scene that is least like the others
     std::unordered_map<const MeasuredError*, Known> errors_;
     std::unordered_map<const MeasuredSetting*, std::size_t> costs_;  // families of airs

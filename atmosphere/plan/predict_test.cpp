@@ -31,8 +31,8 @@ MeasuredSkies with_scenes(std::size_t scenes) {
         for (double& coordinate : scene.situation) coordinate += random() - 0.5;
         skies.scenes.push_back(scene);
         for (MeasuredSetting& setting : skies.settings)
-            for (MeasuredError* error : {&setting.sky_median, &setting.sky_p95, &setting.aerial_p95})
-                error->by_scene.push_back(error->by_scene[i % known]);
+            for (const auto error : measured_errors)
+                (setting.*error).by_scene.push_back((setting.*error).by_scene[i % known]);
     }
     return skies;
 }
@@ -93,6 +93,33 @@ TEST_CASE("predict: several threads that ask at once are told what one is") {
     for (std::vector<double>& result : together) threads.emplace_back([&] { result = bounds(); });
     for (std::thread& thread : threads) thread.join();
     for (const std::vector<double>& result : together) CHECK(result == alone);
+}
+
+TEST_CASE("predict: what light errs by counts where it is needed, and a table without it says nothing of it") {
+    MeasuredSkies skies = measured_in_rgb();
+    const std::size_t scenes = skies.scenes.size();
+    for (MeasuredSetting& setting : skies.settings) setting.light = {0, std::vector(scenes, MeasuredError::unknown)};
+    PlanRequirements needs = everywhere();
+    const std::vector<Situation> places = situations_of(needs, skies);
+    const auto seen = [&](bool light) {
+        needs.light = light;
+        return outlook(needs, Predictor(skies), places).candidates;
+    };
+    const std::vector<PlanCandidate> before = seen(false), unknown = seen(true);
+    skies.settings[0].light = {0.1, std::vector(scenes, MeasuredError::pack(30.0))};
+    skies.settings[1].light = {0.1, std::vector(scenes, MeasuredError::pack(1e-5))};
+    const std::vector<PlanCandidate> with = seen(true), without = seen(false);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        CHECK(unknown[i].error.bound == before[i].error.bound);
+        CHECK(without[i].error.bound == before[i].error.bound);
+    }
+    CHECK(with[0].error.light == doctest::Approx(30).epsilon(1e-3).scale(1e-300));
+    CHECK(with[0].error.bound > std::max(30.0, before[0].error.p95));
+    CHECK(with[0].error.p95 == before[0].error.p95);
+    CHECK(with[1].error.light == doctest::Approx(1e-5).epsilon(1e-2).scale(1e-300));
+    CHECK(with[1].error.bound == before[1].error.bound);
+    CHECK(with[2].excluded == "was not measured");
+    CHECK(without[2].excluded.empty());
 }
 
 // How plan.md's figures are made: atmosphere_inputs_test -tc='predict: how long*' --no-skip

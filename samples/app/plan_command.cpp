@@ -125,7 +125,7 @@ PlanRequirements requirements_of(const PlanCommand& command) {
 json to_json(const Setting& s) {
     return {{"id", s.id()}, {"model", s.model}, {"quality", s.quality}, {"spectral", s.spectral}, {"without", s.without}};
 }
-json to_json(const PlanError& e) { return {{"median", e.median}, {"p95", e.p95}, {"bound", e.bound}}; }
+json to_json(const PlanError& e) { return {{"median", e.median}, {"p95", e.p95}, {"light", e.light}, {"bound", e.bound}}; }
 json to_json(const PlanCost& c) {
     return {{"frame_ms", c.frame_ms}, {"rebuild_ms", c.rebuild_ms}, {"charged_ms", c.charged_ms}, {"mebibytes", c.mebibytes}};
 }

@@ -42,7 +42,8 @@ struct Family {
 std::vector<Family> families(MeasuredSkies& skies, const std::vector<std::size_t>& scenes) {
     std::map<std::vector<std::size_t>, Family> by_scenes;
     for (MeasuredSetting& setting : skies.settings)
-        for (MeasuredError* error : {&setting.sky_median, &setting.sky_p95, &setting.aerial_p95}) {
+        for (const auto each : detail::measured_errors) {
+            MeasuredError* const error = &(setting.*each);
             std::vector<std::size_t> known;
             for (const std::size_t i : scenes)
                 if (error->by_scene[i] != MeasuredError::unknown) known.push_back(i);

@@ -89,8 +89,8 @@ MeasuredSkies invented(std::size_t scenes) {
         scene.situation[0] = 6 * random();
         scene.situation[3] = 3 * random();
         const double logarithm = std::sin(scene.situation[0]) + 0.5 * scene.situation[3] - 3;
-        for (MeasuredError* error : {&setting.sky_median, &setting.sky_p95, &setting.aerial_p95})
-            error->by_scene.push_back(MeasuredError::pack(std::exp(logarithm)));
+        for (const auto error : detail::measured_errors)
+            (setting.*error).by_scene.push_back(MeasuredError::pack(std::exp(logarithm)));
     }
     return skies;
 }
@@ -156,6 +156,26 @@ TEST_CASE("gather: of what was measured twice the later counts; what is incomple
     json unknown = measured();
     unknown["results"][0]["setting"] = "nobody";
     CHECK(contains(complaint([&] { (void)gather({&unknown, 1}, false); }), "a setting that it does not list"));
+}
+
+TEST_CASE("gather: light errs by the worse of sky and sun, and is unknown where the truth of either is") {
+    json given = measured();
+    given["scenes"][1]["situation"][detail::axis_of_space] = 1;
+    const auto light_of = [&](std::size_t result, const json& light) {
+        json one = given;
+        one["results"][result].update(light);
+        const std::size_t scene = one["results"][result]["scene"] == "a" ? 0 : 1;
+        return gather({&one, 1}, false).settings[0].light.by_scene.at(scene);
+    };
+    constexpr std::size_t in_air = 0, in_space = 1;
+    CHECK(light_of(in_air, {{"sky_illuminance", 0.2}, {"sun_colour", 0.03}}) == MeasuredError::pack(0.2));
+    CHECK(light_of(in_air, {{"sky_illuminance", 0.02}, {"sun_colour", 0.3}}) == MeasuredError::pack(0.3));
+    CHECK(light_of(in_air, {{"sky_illuminance", 0.2}}) == MeasuredError::pack(0.2));  // the sun has set
+    CHECK(light_of(in_air, {{"sun_colour", 0.2}}) == MeasuredError::unknown);         // the sky's truth is noise
+    CHECK(light_of(in_space, {{"sun_colour", 0.2}}) == MeasuredError::pack(0.2));     // where no sky is
+    CHECK(light_of(in_air, json::object()) == MeasuredError::unknown);
+    CHECK(light_of(in_space, json::object()) == MeasuredError::unknown);
+    CHECK(light_of(in_air, {{"sky_illuminance", nullptr}}) == MeasuredError::pack(HUGE_VAL));
 }
 
 TEST_CASE("fit: finds along which axes a field changes, and bounds that hold") {

@@ -52,8 +52,7 @@ public:
             throw Error(ErrorCode::invalid_argument, "measurements", "measured without costs",
                         "at least one measured with them");
         for (MeasuredSetting& setting : skies_.settings) {
-            for (MeasuredError* error : {&setting.sky_median, &setting.sky_p95, &setting.aerial_p95})
-                grow(*error, skies_.scenes.size());
+            for (const auto error : detail::measured_errors) grow(setting.*error, skies_.scenes.size());
             setting.by_air.resize(skies_.airs.size());
         }
         return std::move(skies_);
@@ -77,7 +76,7 @@ private:
         const std::string id = setting.id();
         const std::size_t i = index_of(
             skies_.settings, id, [](const MeasuredSetting& one) { return one.setting.id(); },
-            MeasuredSetting{std::move(setting), {}, {}, {}, {}});
+            MeasuredSetting{.setting = std::move(setting)});
         return skies_.settings[i];
     }
 
@@ -95,6 +94,21 @@ private:
         keep(setting.sky_median, "all", "median");
         keep(setting.sky_p95, "all", "p95");
         keep(setting.aerial_p95, "aerial", "p95");
+        keep_light(setting.light, scene, result);
+    }
+
+    /// Unknown where the truth of either part is: of the sky's above the air, and of the sun's after it has set, there is none.
+    void keep_light(MeasuredError& light, std::size_t scene, const json& result) {
+        const MeasuredScene& place = skies_.scenes[scene];
+        const bool sky = result.contains("sky_illuminance"), sun = result.contains("sun_colour");
+        const bool in_space = place.situation[detail::axis_of_space] > 0;
+        if (!sky && !(in_space && sun)) return;
+        const auto error = [&](const char* name) {  // null: infinite
+            if (!result.contains(name)) return 0.0;
+            return result.at(name).is_null() ? HUGE_VAL : result.at(name).get<double>();
+        };
+        grow(light, scene + 1);
+        light.by_scene[scene] = MeasuredError::pack(std::max(error("sky_illuminance"), error("sun_colour")));
     }
 
     void add_costs(const json& measured) {

@@ -51,7 +51,8 @@ struct PlanRequirements {
     bool shadows = false;                        ///< The host's shadow map darkens the air (ViewSettings::shadows, which
                                                  ///< the host sets): of one sun, and charged at the default size. What
                                                  ///< shadows err by is in no figure of the plan (shadows.md).
-    bool light = true;                           ///< Sun colour and sky irradiance for the host's own materials are needed.
+    bool light = true;                           ///< Sun colour and sky irradiance for the host's own materials are needed,
+                                                 ///< and must be as right as what is seen.
     std::uint32_t suns = 1;                      ///< Tables are charged for each, and composites grow with them. In [1, 4].
     std::uint32_t views = 1;                     ///< Cameras that are drawn each frame. In [1, 64].
     std::uint32_t width = 1280, height = 720;    ///< Pixels of a view. Each in [1, 65536].
@@ -63,7 +64,7 @@ struct PlanRequirements {
     double rebuilds_per_frame = 1.0 / 3600;
 
     // What is tolerable.
-    /// Relative error of radiance that 95 of 100 directions must stay below. In [1e-4, 10].
+    /// Relative error of radiance that 95 of 100 directions must stay below; of light, too, where it is needed. In [1e-4, 10].
     std::optional<double> tolerance;
     /// Milliseconds of a frame: camera tables, composites, and rebuilds as often as they occur. In [1e-9, 1e6].
     std::optional<double> budget_ms;
@@ -84,11 +85,12 @@ struct PlanCost {
     double mebibytes = 0;   ///< Of the tables of the air, and of the cameras.
     double charged_ms = 0;  ///< frame_ms and rebuild_ms as often as it occurs: what budget_ms bounds, and plans compare.
 };
-/// Relative, of radiance: of the worst situation in the requirements' ranges.
+/// Relative: of the worst situation in the requirements' ranges.
 struct PlanError {
-    double median = 0;  ///< Of half of the directions; likely.
+    double median = 0;  ///< Of the radiance of half of the directions; likely.
     double p95 = 0;     ///< Of 95 of 100 directions; likely.
-    double bound = 0;   ///< Upper bound of p95: holds in 95 of 100 scenes that were not measured (plan.md).
+    double light = 0;   ///< Where PlanRequirements::light: of the sky's illuminance or the sun's colour, the worse; likely.
+    double bound = 0;   ///< Upper bound of p95 and of light: each holds in 95 of 100 scenes that were not measured (plan.md).
 };
 
 /// A setting that was thought of.

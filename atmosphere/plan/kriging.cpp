@@ -75,12 +75,18 @@ std::vector<double> Kriging::left_out_residuals(std::span<const double> values, 
     return result;
 }
 
+// The inverse's diagonal is that of L^-T L^-1: of each column of L^-1, which begins at its own row, the sum of squares.
 std::vector<double> Kriging::left_out_variances() const {
-    std::vector<double> result(points_.size());
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        std::vector<double> unit(result.size(), 0.0);
-        unit[i] = 1;
-        result[i] = 1 / (solve(std::move(unit))[i] - ones_[i] * ones_[i] / sum_of_ones_);
+    const std::size_t n = points_.size();
+    std::vector<double> result(n), column(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        column[i] = 1 / factor_[i * n + i];
+        for (std::size_t k = i + 1; k < n; ++k) {
+            const std::span row(&factor_[k * n + i], k - i);
+            column[k] = -dot(row, std::span(column).subspan(i, k - i)) / factor_[k * n + k];
+        }
+        const auto own = std::span(column).subspan(i);
+        result[i] = 1 / (dot(own, own) - ones_[i] * ones_[i] / sum_of_ones_);
     }
     return result;
 }

@@ -1,4 +1,5 @@
 #include "measure/fit.h"
+#include "measure/hold_out.h"
 
 #include "io/test_files.h"
 #include "plan/predict.h"
@@ -186,7 +187,7 @@ TEST_CASE("fit: finds along which axes a field changes, and bounds that hold") {
     CHECK(skies.margin > 0.5);
     CHECK(skies.margin < 6);
     const Coverage found = coverage(skies, drawn_third(skies, 3));
-    CHECK(found.all.predictions == 40);  // 20 scenes, sky and geometry
+    CHECK(found.all.predictions == 60);  // 20 scenes: sky, geometry and light
     CHECK(found.all.below_bound >= 0.9);
     CHECK(found.all.median_excess < 1.5);
     CHECK(found.all.median_off < 0.1);
@@ -226,7 +227,27 @@ void check_shipped(const MeasuredSkies& skies, double least_below) {
     CHECK(kept / choices >= 0.85);
 }
 
+/// What an air costs that was left out, as the others foretell it.
+void check_costs_elsewhere(const MeasuredSkies& skies) {
+    std::size_t known = 0;
+    for (const AirLeftOut& left_out : without_each_air(skies)) {
+        MESSAGE(left_out.air, ", left out at a distance of ", left_out.errors.distance, ": ", left_out.errors.all.below_bound, " of ",
+                left_out.errors.all.predictions, " errors below their bound");
+        for (const ForetoldCost& cost : left_out.costs) {
+            INFO(cost.air, ", ", cost.setting, ": ", cost.what, " of ", cost.measured_ms, " ms foretold as ", cost.foretold_ms);
+            CHECK(cost.within(cost_tolerance));
+            ++known;
+        }
+    }
+    CHECK(known > 20);
+}
+
 }  // namespace
+
+TEST_CASE("fit: what an air costs that was left out is foretold within 30 %") {
+    check_costs_elsewhere(detail::measured_in_rgb());
+    check_costs_elsewhere(detail::measured_in_wavelengths());
+}
 
 TEST_CASE("fit: what the library ships covers scenes that it was not fitted to") {
     check_shipped(detail::measured_in_rgb(), 0.9);

@@ -76,7 +76,7 @@ private:
         const std::string id = setting.id();
         const std::size_t i = index_of(
             skies_.settings, id, [](const MeasuredSetting& one) { return one.setting.id(); },
-            MeasuredSetting{.setting = std::move(setting)});
+            MeasuredSetting{std::move(setting), {}, {}, {}, {}, {}});
         return skies_.settings[i];
     }
 

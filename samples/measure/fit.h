@@ -11,7 +11,8 @@
 namespace aureole::app {
 
 /// The scenes of measurements (docs/measure.md) in red, green and blue, or those in wavelengths, with the settings that were
-/// measured in them; not fitted. Of a setting and scene that occur twice the later counts. Throws Error(invalid_argument)
+/// measured in them; not fitted. Of a setting and scene that occur twice the later counts. Errors of which the truth of less
+/// than half of the directions is known are left out. Throws Error(invalid_argument)
 /// naming what a file lacks, or where none was measured with costs: what one air costs is known by its work from others.
 [[nodiscard]] detail::MeasuredSkies gather(std::span<const nlohmann::json> measurements, bool wavelengths);
 

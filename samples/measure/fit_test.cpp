@@ -159,6 +159,23 @@ TEST_CASE("gather: of what was measured twice the later counts; what is incomple
     CHECK(contains(complaint([&] { (void)gather({&unknown, 1}, false); }), "a setting that it does not list"));
 }
 
+TEST_CASE("gather: where the truth of most directions is not known nothing is") {
+    const auto sky_of = [](const json& asked) {
+        json one = measured();  // ten rows
+        one["results"][0]["regions"]["all"].update(asked);
+        const detail::MeasuredSetting setting = gather({&one, 1}, false).settings[0];
+        CHECK(setting.aerial_p95.by_scene.at(0) == MeasuredError::pack(0.3));  // each region by itself
+        CHECK((setting.sky_median.by_scene.at(0) == MeasuredError::unknown) ==
+              (setting.sky_p95.by_scene.at(0) == MeasuredError::unknown));
+        return setting.sky_p95.by_scene.at(0);
+    };
+    CHECK(sky_of(json::object()) == MeasuredError::pack(2));
+    CHECK(sky_of({{"asked", 10}}) == MeasuredError::pack(2));
+    CHECK(sky_of({{"asked", 20}}) == MeasuredError::pack(2));
+    CHECK(sky_of({{"asked", 21}}) == MeasuredError::unknown);
+    CHECK(sky_of({{"asked", 45}}) == MeasuredError::unknown);
+}
+
 TEST_CASE("gather: light errs by the worse of sky and sun, and is unknown where the truth of either is") {
     json given = measured();
     given["scenes"][1]["situation"][detail::axis_of_space] = 1;

@@ -17,6 +17,7 @@ using detail::MeasuredSetting;
 using detail::MeasuredSkies;
 using nlohmann::json;
 
+constexpr double least_known = 0.5;  // share of the directions: a quantile of fewer is not one of the scene
 constexpr double least_mib = 1e-6;  // of a model without tables: 0 says that it was not measured
 
 /// Index of the one that is called `name`, which is added if there is none.
@@ -86,7 +87,7 @@ private:
         const std::size_t scene = scenes_.at(result.at("scene"));
         const json& regions = result.at("regions");
         const auto keep = [&](MeasuredError& error, const char* region, const char* quantile) {
-            if (!regions.contains(region) || regions.at(region).at("rows") == 0) return;
+            if (!regions.contains(region) || !is_known(regions.at(region))) return;
             grow(error, scene + 1);
             const json& value = regions.at(region).at(quantile);  // null: infinite
             error.by_scene[scene] = MeasuredError::pack(value.is_null() ? HUGE_VAL : value.get<double>());
@@ -95,6 +96,12 @@ private:
         keep(setting.sky_p95, "all", "p95");
         keep(setting.aerial_p95, "aerial", "p95");
         keep_light(setting.light, scene, result);
+    }
+
+    /// The truth of enough directions. Older measurements do not say how many were asked for.
+    static bool is_known(const json& region) {
+        const double rows = region.at("rows").get<double>();
+        return rows > 0 && rows >= least_known * (region.contains("asked") ? region.at("asked").get<double>() : rows);
     }
 
     /// Unknown where the truth of either part is: of the sky's above the air, and of the sun's after it has set, there is none.

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
+#include <span>
+#include <utility>
 
 namespace aureole::detail {
 namespace {
@@ -14,6 +17,8 @@ constexpr double measured_pixels = double(measured_width) * measured_height;
 constexpr double alike = 1.1;  // costs, or errors, that differ by less are the same
 constexpr int sun_steps = 8, altitude_steps = 4;
 constexpr std::size_t nearest_named = 3;
+
+bool inside(const PlanRange& range, double value) { return range.least <= value && value <= range.most; }
 
 /// `steps` + 1 places from one end to the other, evenly in `warp`; one if both ends are the same.
 template <class Warp, class Unwarp>
@@ -54,19 +59,26 @@ std::optional<std::size_t> least(const std::vector<PlanCandidate>& candidates, c
 std::vector<Situation> situations_of(const PlanRequirements& requirements, const MeasuredSkies& skies) {
     const AirCoordinates air(requirements.air);
     const Planet& planet = requirements.air.planet;
-    auto suns = spread_over(requirements.sun_elevation_deg, sun_steps, sun_axis, elevation_of);
+    const auto suns = spread_over(requirements.sun_elevation_deg, sun_steps, sun_axis, elevation_of);
     const auto altitudes = spread_over(
         requirements.altitude_m, altitude_steps, [&](double m) { return altitude_axis(m, planet); },
         [&](double on_axis) { return altitude_of(on_axis, planet); });
-    // What was measured worst is not passed over.
-    for (const MeasuredScene& scene : skies.scenes)
-        if (scene.sun_elevation_deg > requirements.sun_elevation_deg.least &&
-            scene.sun_elevation_deg < requirements.sun_elevation_deg.most &&
-            std::ranges::find(suns, scene.sun_elevation_deg) == suns.end())
-            suns.push_back(scene.sun_elevation_deg);
+    std::set<std::pair<double, double>> places;
+    const auto add = [&](double sun, std::span<const double> heights) {
+        for (const double altitude : heights) places.emplace(sun, altitude);
+    };
+    for (const double sun : suns) add(sun, altitudes);
+    // What was measured worst is not passed over: where it was measured, nor at another altitude or hour.
+    for (const MeasuredScene& scene : skies.scenes) {
+        const bool hour = inside(requirements.sun_elevation_deg, scene.sun_elevation_deg);
+        const bool height = inside(requirements.altitude_m, scene.altitude_m);
+        if (hour) add(scene.sun_elevation_deg, altitudes);
+        if (hour && height) places.emplace(scene.sun_elevation_deg, scene.altitude_m);
+        if (height)
+            for (const double sun : suns) places.emplace(sun, scene.altitude_m);
+    }
     std::vector<Situation> result;
-    for (const double sun : suns)
-        for (const double altitude : altitudes) result.push_back(air.at(sun, altitude));
+    for (const auto& [sun, altitude] : places) result.push_back(air.at(sun, altitude));
     return result;
 }
 

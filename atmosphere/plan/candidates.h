@@ -10,7 +10,8 @@
 
 namespace aureole::detail {
 
-/// Places that stand for the ranges: their ends, some between, and every elevation between that was measured.
+/// Places that stand for the ranges: their ends, some between, every elevation and altitude between that was measured with
+/// those of the other, and every measured scene. At least one; each once.
 [[nodiscard]] std::vector<Situation> situations_of(const PlanRequirements& requirements, const MeasuredSkies& skies);
 
 /// What a setting errs by in a place, by what a view shows and its materials need, if that is worse than `so_far`; none where

@@ -80,7 +80,7 @@ private:
     std::vector<std::size_t> scenes_;
     std::vector<std::optional<Situation>> airs_;  // of those scenes, sun and camera at rest: by index of MeasuredSkies::airs
     std::vector<Family> families_;
-    std::size_t all_ = 0;   // the family of all scenes
+    std::size_t all_ = 0;  // the family of all scenes
     bool knows_light_ = false;
     double loneliest_ = 1;  // variance of the scene that is least like the others
     std::unordered_map<const MeasuredError*, Known> errors_;

@@ -31,8 +31,7 @@ MeasuredSkies with_scenes(std::size_t scenes) {
         for (double& coordinate : scene.situation) coordinate += random() - 0.5;
         skies.scenes.push_back(scene);
         for (MeasuredSetting& setting : skies.settings)
-            for (const auto error : measured_errors)
-                (setting.*error).by_scene.push_back((setting.*error).by_scene[i % known]);
+            for (const auto error : measured_errors) (setting.*error).by_scene.push_back((setting.*error).by_scene[i % known]);
     }
     return skies;
 }
@@ -70,12 +69,42 @@ TEST_CASE("predict: a measured scene is found again, from all scenes or from som
                 if (setting.sky_p95.by_scene[scene] == MeasuredError::unknown) continue;
                 const auto found = here.predict(setting.sky_p95);
                 if (!found) continue;  // known in too few of the half
-                CHECK(1000 * std::log(found->likely) == doctest::Approx(setting.sky_p95.by_scene[scene]).epsilon(1e-3).scale(1));
+                CHECK(1000 * std::log(found->likely) ==
+                      doctest::Approx(setting.sky_p95.by_scene[scene]).epsilon(1e-3).scale(1));
                 CHECK(found->bound / found->likely < 1.01);
             }
         }
     CHECK(half.at(skies.scenes[1].situation).distance() > 0.01);
     CHECK(half.at(skies.scenes[1].situation).nearest(100).size() == even.size());
+}
+
+TEST_CASE("predict: a range's bound covers every measured scene inside it, and every narrower range") {
+    const Predictor predictor(measured_in_rgb());
+    const MeasuredSkies& skies = predictor.skies();
+    const auto air = static_cast<std::size_t>(std::ranges::find(skies.airs, "earth") - skies.airs.begin());
+    const auto bounds = [&](PlanRange suns, PlanRange altitudes) {
+        PlanRequirements needs = everywhere();
+        needs.geometry = false;
+        needs.sun_elevation_deg = suns;
+        needs.altitude_m = altitudes;
+        return outlook(needs, predictor, situations_of(needs, skies)).candidates;
+    };
+    const auto whole = bounds({-10, 80}, {1, 9e5});
+    std::size_t inside = 0;
+    for (std::size_t scene = 0; scene < skies.scenes.size(); ++scene) {
+        const MeasuredScene& at = skies.scenes[scene];
+        if (at.air != air || at.sun_elevation_deg < -10 || at.sun_elevation_deg > 80 || at.altitude_m > 9e5) continue;
+        ++inside;
+        const auto here = bounds({at.sun_elevation_deg, at.sun_elevation_deg}, {at.altitude_m, at.altitude_m});
+        for (std::size_t i = 0; i < here.size(); ++i) {
+            INFO(at.id, ": ", here[i].setting.id());
+            CHECK(whole[i].error.bound >= here[i].error.bound);
+            const MeasuredError& error = skies.settings[i].sky_p95;
+            if (error.by_scene[scene] != MeasuredError::unknown)  // kept in thousandths of its logarithm
+                CHECK(whole[i].error.bound >= 0.998 * std::exp(error.by_scene[scene] / 1000.0));
+        }
+    }
+    CHECK(inside > 20);
 }
 
 TEST_CASE("predict: several threads that ask at once are told what one is") {

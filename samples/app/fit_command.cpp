@@ -58,8 +58,9 @@ void print_airs_left_out(const char* name, const detail::MeasuredSkies& skies) {
         if (one.costs.empty())
             std::printf("; no costs\n");
         else
-            std::printf("; costs more than %.0f %% off: %s, %s, %s\n", 100 * cost_tolerance, far_off(one.costs, "frame").c_str(),
-                        far_off(one.costs, "rebuild").c_str(), far_off(one.costs, "composite").c_str());
+            std::printf("; costs more than %.0f %% off: %s, %s, %s\n", 100 * cost_tolerance,
+                        far_off(one.costs, "frame").c_str(), far_off(one.costs, "rebuild").c_str(),
+                        far_off(one.costs, "composite").c_str());
     }
 }
 

@@ -248,8 +248,8 @@ void check_shipped(const MeasuredSkies& skies, double least_below) {
 void check_costs_elsewhere(const MeasuredSkies& skies) {
     std::size_t known = 0;
     for (const AirLeftOut& left_out : without_each_air(skies)) {
-        MESSAGE(left_out.air, ", left out at a distance of ", left_out.errors.distance, ": ", left_out.errors.all.below_bound, " of ",
-                left_out.errors.all.predictions, " errors below their bound");
+        MESSAGE(left_out.air, ", left out at a distance of ", left_out.errors.distance, ": ", left_out.errors.all.below_bound,
+                " of ", left_out.errors.all.predictions, " errors below their bound");
         for (const ForetoldCost& cost : left_out.costs) {
             INFO(cost.air, ", ", cost.setting, ": ", cost.what, " of ", cost.measured_ms, " ms foretold as ", cost.foretold_ms);
             CHECK(cost.within(cost_tolerance));

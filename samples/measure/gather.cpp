@@ -18,7 +18,7 @@ using detail::MeasuredSkies;
 using nlohmann::json;
 
 constexpr double least_known = 0.5;  // share of the directions: a quantile of fewer is not one of the scene
-constexpr double least_mib = 1e-6;  // of a model without tables: 0 says that it was not measured
+constexpr double least_mib = 1e-6;   // of a model without tables: 0 says that it was not measured
 
 /// Index of the one that is called `name`, which is added if there is none.
 template <class Named, class Name>

@@ -98,7 +98,8 @@ private:
     }
 
     /// What was measured in a scene of all that a plan's bound is of; none where a part is not known.
-    static std::optional<double> measured_worst(const PlanRequirements& needs, const MeasuredSetting& setting, std::size_t scene) {
+    static std::optional<double> measured_worst(const PlanRequirements& needs, const MeasuredSetting& setting,
+                                                std::size_t scene) {
         double worst = 0;
         const auto take = [&](const MeasuredError& error) {
             const std::optional<double> truth = measured(error, scene);
@@ -196,8 +197,8 @@ std::vector<AirLeftOut> without_each_air(const MeasuredSkies& skies) {
         const Predictor predictor(fitted, seen);
         Trial trial(skies, predictor);
         for (const std::size_t scene : held_out) trial.run(scene);
-        result.push_back({skies.airs[air], trial.result(),
-                          costs_in(skies, air, predictor, skies.scenes[held_out.front()].situation)});
+        result.push_back(
+            {skies.airs[air], trial.result(), costs_in(skies, air, predictor, skies.scenes[held_out.front()].situation)});
     }
     return result;
 }

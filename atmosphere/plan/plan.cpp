@@ -1,9 +1,11 @@
 #include "plan/candidates.h"
 #include "plan/choices.h"
+#include "plan/keep.h"
 
 #include "common/check.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace aureole {
@@ -68,7 +70,12 @@ void validate(const PlanRequirements& r) {
         reject("tolerance", "nothing", "a tolerance, or a budget in milliseconds or MiB");
 }
 
-Plan plan(const PlanRequirements& requirements) {
+namespace {
+
+/// Which of the candidates is taken, given the one that plan() takes.
+using Take = std::function<const PlanCandidate&(const std::vector<PlanCandidate>&, const PlanCandidate& best)>;
+
+Plan make_plan(const PlanRequirements& requirements, const Take& take) {
     validate(requirements);
     const Predictor& predictor = predictor_for(requirements);
     const std::vector<Situation> places = situations_of(requirements, predictor.skies());
@@ -79,11 +86,12 @@ Plan plan(const PlanRequirements& requirements) {
         throw Error(ErrorCode::unsupported, requirements.wavelengths ? "wavelengths" : "air",
                     requirements.wavelengths ? "true" : "of these terms", "what settings were measured for");
     const PlanCandidate& best = plan.candidates[best_of(requirements, plan.candidates)];
-    plan.setting = best.setting;
-    plan.error = best.error;
-    plan.cost = best.cost;
-    plan.tolerable = best.tolerable;
-    Prepared prepared = prepare(best.setting, requirements.air).value();
+    const PlanCandidate& taken = take(plan.candidates, best);
+    plan.setting = taken.setting;
+    plan.error = taken.error;
+    plan.cost = taken.cost;
+    plan.tolerable = taken.tolerable;
+    Prepared prepared = prepare(taken.setting, requirements.air).value();
     plan.air = std::move(prepared.air);
     plan.model = std::move(prepared.model);
     plan.view = view_for(requirements);
@@ -91,8 +99,46 @@ Plan plan(const PlanRequirements& requirements) {
     plan.distance = seen.distance;
     plan.measured_on = predictor.skies().device;
     plan.choices = choices_of(requirements, predictor, places.front(), plan);
+    if (!(taken.setting == best.setting))
+        plan.choices.front().reason = "in use, and good enough; " + best.setting.id() + " would take " +
+                                      milliseconds(best.cost.charged_ms) + " in place of " +
+                                      milliseconds(taken.cost.charged_ms);
     return plan;
 }
+
+/// Not excluded; else `otherwise`.
+const PlanCandidate& find(const std::vector<PlanCandidate>& candidates, const Setting& setting,
+                          const PlanCandidate& otherwise) {
+    const auto found = std::ranges::find(candidates, setting, &PlanCandidate::setting);
+    return found == candidates.end() || !found->excluded.empty() ? otherwise : *found;
+}
+
+}  // namespace
+
+Plan plan(const PlanRequirements& requirements) {
+    return make_plan(requirements, [](const auto&, const PlanCandidate& best) -> const PlanCandidate& { return best; });
+}
+
+namespace detail {
+
+Plan plan_keeping(const PlanRequirements& requirements, const Setting& incumbent) {
+    return make_plan(requirements, [&](const auto& candidates, const PlanCandidate& best) -> const PlanCandidate& {
+        constexpr double worth = 1.1;  // what is better by less is not worth a change
+        const PlanCandidate& there = find(candidates, incumbent, best);
+        const bool as_cheap = there.cost.charged_ms <= worth * best.cost.charged_ms;
+        const bool by_error = !requirements.tolerance || !best.tolerable;
+        const bool as_right = !by_error || there.error.bound <= worth * best.error.bound;
+        return there.tolerable == best.tolerable && as_cheap && as_right ? there : best;
+    });
+}
+
+Plan plan_of(const PlanRequirements& requirements, const Setting& setting) {
+    return make_plan(requirements, [&](const auto& candidates, const PlanCandidate& best) -> const PlanCandidate& {
+        return find(candidates, setting, best);
+    });
+}
+
+}  // namespace detail
 
 Setting speed_setting() { return {}; }
 

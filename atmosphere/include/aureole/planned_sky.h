@@ -64,7 +64,9 @@ public:
 
     /// The ranges of `needs` are those of the whole scene; each plan is for the part around sun and camera. The first plan is
     /// made by the first update(). `composite`: of every view. Throws as plan() does, and as View does for `composite`. Not for
-    /// several views, or CompositeSettings::scene_depth without geometry. Budgets are for one sky: during a fade there are two,
+    /// CompositeSettings::scene_depth without geometry, nor for PlanRequirements::views other than 1: a fade is that of one
+    /// View's pictures, and cameras in different places may call for different plans. Several views: plan() for all of them, or
+    /// a PlannedSky for each, which has its own tables of the air. Budgets are for one sky: during a fade there are two,
     /// and two pictures for each target.
     PlannedSky(rhi::Device& device, const PlanRequirements& needs, const CompositeSettings& composite = {},
                const FollowSettings& follow = {});
@@ -72,8 +74,11 @@ public:
     PlannedSky(const PlannedSky&) = delete;
     PlannedSky& operator=(const PlannedSky&) = delete;
 
-    /// The frame's camera, and suns (at most PlanRequirements::suns): the brightest is planned for. Makes a new plan where they
-    /// have left the surroundings of the last one, and a new sky where that differs. A sun or camera beyond the ranges of the
+    /// The frame's camera, and suns (at most PlanRequirements::suns): all that give light and are above -18 degrees are planned
+    /// for, whichever is the brightest; if none is, one that is just there. Makes a new plan where they have left the
+    /// surroundings of the last one, and a new sky where that differs. The setting in use stays while it meets the requirements
+    /// and costs at most a tenth more than the best; a cheaper one has to do for twice as far around as a plan is made for. So
+    /// a sun that goes to and fro does not make the sky do so. A sun or camera beyond the ranges of the
     /// requirements is planned for all the same. Until a new sky has faded in no other plan is made, and the old one is shown
     /// wherever the sun may have got to. Throws for bad input, and where the device refuses; then nothing has changed.
     PlanUpdate update(const Camera& camera, std::span<const Sun> suns);

@@ -16,16 +16,16 @@ struct CostOfWork {
 
     [[nodiscard]] double work_in(const TableWork& all) const { return work != nullptr ? all.*work : 1; }
 };
-constexpr std::array<CostOfWork, 13> costs{{{&MeasuredCost::composite_ms},
-                                            {&MeasuredCost::composite_geometry_ms},
+constexpr std::array<CostOfWork, 13> costs{{{&MeasuredCost::composite_ms, &TableWork::composite},
+                                            {&MeasuredCost::composite_geometry_ms, &TableWork::composite},
                                             {&MeasuredCost::view_ms, &TableWork::view},
                                             {&MeasuredCost::aerial_perspective_ms, &TableWork::view},
-                                            {&MeasuredCost::light_ms},
+                                            {&MeasuredCost::light_ms, &TableWork::light},
                                             {&MeasuredCost::rebuild_ms, &TableWork::rebuild},
                                             {&MeasuredCost::air_mib, &TableWork::air_memory},
                                             {&MeasuredCost::view_mib, &TableWork::view_memory},
                                             {&MeasuredCost::aerial_perspective_mib, &TableWork::aerial_perspective_memory},
-                                            {&MeasuredCost::composite_sun_ms},
+                                            {&MeasuredCost::composite_sun_ms, &TableWork::composite},
                                             {&MeasuredCost::shadows_ms},
                                             {&MeasuredCost::composite_shadows_ms},
                                             {&MeasuredCost::shadows_mib, &TableWork::view_memory}}};

@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/suites.h"
 #include "io/file.h"
 #include "io/json_file.h"
 #include "measure/fit.h"
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -64,11 +66,24 @@ void print_airs_left_out(const char* name, const detail::MeasuredSkies& skies) {
     }
 }
 
+/// Of the suites that the measurements name, where they are the program's own.
+std::map<std::string, AtmosphereParameters> airs_of(const std::vector<nlohmann::json>& measurements) {
+    std::map<std::string, AtmosphereParameters> airs;
+    const std::vector<std::string> own = own_suites();
+    for (const nlohmann::json& measured : measurements) {
+        const std::string suite = measured.value("suite", "");
+        if (std::ranges::find(own, suite) == own.end()) continue;
+        for (const SuiteAir& air : read_suite(find_suite(suite)).airs) airs[air.name] = air.parameters;
+    }
+    return airs;
+}
+
 void run_fit(const FitCommand& command) {
     std::vector<nlohmann::json> measurements;
     for (const std::filesystem::path& path : command.measurements) measurements.push_back(read_json(path));
+    const std::map<std::string, AtmosphereParameters> airs = airs_of(measurements);
     for (const bool wavelengths : {false, true}) {
-        detail::MeasuredSkies skies = gather(measurements, wavelengths);
+        detail::MeasuredSkies skies = gather(measurements, wavelengths, airs);
         const char* name = wavelengths ? "wavelengths" : "rgb";
         if (skies.scenes.empty()) {
             std::printf("%s: no scenes\n", name);

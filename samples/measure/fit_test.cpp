@@ -4,6 +4,7 @@
 #include "io/test_files.h"
 #include "plan/predict.h"
 
+#include <aureole/presets.h>
 #include <aureole/rhi/error.h>
 
 #include <doctest/doctest.h>
@@ -53,23 +54,29 @@ json measured() {
     result("b", "aureole default, without ozone", {{"all", figures(0.01, 0.02)}, {"aerial", {{"rows", 0}}}});
     result("c", "aureole default 4", {{"all", figures(0.001, 0.002)}});
     result("a", "reference default", {{"all", figures(0, 0)}});
-    out["costs"].push_back(
-        {{"air", "earth"},
-         {"setting", "fog default"},
-         {"work", {{"rebuild", 2e6}, {"view", 15}, {"air_memory", 3}, {"view_memory", 2}, {"aerial_perspective_memory", 4}}},
-         {"per_frame_ms", spread(10)},
-         {"composite_ms", spread(7)},
-         {"composite_geometry_ms", spread(9)},
-         {"aerial_perspective_ms", spread(1)},
-         {"light_ms", spread(0.5)},
-         {"composite_two_suns_ms", spread(11)},
-         {"shadows_ms", spread(3)},
-         {"composite_shadows_ms", spread(9.5)},
-         {"rebuild_ms", spread(8)},
-         {"shadow_bytes", 262144},
-         {"bytes", 3 * 1048576},
-         {"air_bytes", 1048576},
-         {"aerial_perspective_bytes", 524288}});
+    out["costs"].push_back({{"air", "earth"},
+                            {"setting", "fog default"},
+                            {"work",
+                             {{"rebuild", 2e6},
+                              {"view", 15},
+                              {"air_memory", 3},
+                              {"view_memory", 2},
+                              {"aerial_perspective_memory", 4},
+                              {"composite", 5},
+                              {"light", 6}}},
+                            {"per_frame_ms", spread(10)},
+                            {"composite_ms", spread(7)},
+                            {"composite_geometry_ms", spread(9)},
+                            {"aerial_perspective_ms", spread(1)},
+                            {"light_ms", spread(0.5)},
+                            {"composite_two_suns_ms", spread(11)},
+                            {"shadows_ms", spread(3)},
+                            {"composite_shadows_ms", spread(9.5)},
+                            {"rebuild_ms", spread(8)},
+                            {"shadow_bytes", 262144},
+                            {"bytes", 3 * 1048576},
+                            {"air_bytes", 1048576},
+                            {"aerial_perspective_bytes", 524288}});
     return out;
 }
 
@@ -123,7 +130,10 @@ TEST_CASE("gather: scenes by their colours, settings with what is known of them,
     CHECK(cost.shadows_ms == 3);
     CHECK(cost.composite_shadows_ms == 0.5);
     CHECK(cost.shadows_mib == 0.25);
-    CHECK(cost.work == detail::TableWork{2e6, 15, 3, 2, 4});
+    CHECK(cost.work == detail::TableWork{2e6, 15, 3, 2, 4, 5, 6});
+    const AtmosphereParameters mars = presets::mars();  // what was known of it then does not count
+    CHECK(gather({&one, 1}, false, {{"earth", mars}}).settings[0].by_air.at(0).work == table_work(*model_by_name("fog"), mars));
+    CHECK(gather({&one, 1}, false, {{"venus", mars}}).settings[0].by_air.at(0).work == cost.work);
     REQUIRE(wavelengths.scenes.size() == 1);
     REQUIRE(wavelengths.settings.size() == 1);
     CHECK(wavelengths.settings[0].setting.spectral == "4");

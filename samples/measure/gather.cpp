@@ -36,7 +36,8 @@ void grow(MeasuredError& error, std::size_t scenes) {
 
 class Gathering {
 public:
-    explicit Gathering(bool wavelengths) : wavelengths_(wavelengths) {}
+    Gathering(bool wavelengths, const std::map<std::string, AtmosphereParameters>& airs)
+        : wavelengths_(wavelengths), airs_(airs) {}
 
     void add(const json& measured) {
         scenes_.clear();
@@ -140,8 +141,7 @@ private:
         const auto median = [&](const char* name) { return cost.at(name).at("median").get<double>(); };
         const double views = std::max(median("per_frame_ms") - median("composite_ms"), 0.0);
         MeasuredCost& kept = setting->by_air[i];
-        const auto work = [&](const char* name) { return cost.at("work").at(name).get<double>(); };
-        kept.work = {work("rebuild"), work("view"), work("air_memory"), work("view_memory"), work("aerial_perspective_memory")};
+        kept.work = work_of(cost, setting->setting);
         kept.composite_ms = larger * median("composite_ms");
         kept.composite_geometry_ms = larger * median("composite_geometry_ms");
         kept.aerial_perspective_ms = median("aerial_perspective_ms");
@@ -161,15 +161,27 @@ private:
         kept.view_mib = std::max(mebibytes("bytes") - mebibytes("air_bytes") - kept.aerial_perspective_mib, 0.0);
     }
 
+    [[nodiscard]] detail::TableWork work_of(const json& cost, const Setting& setting) const {
+        const json& then = cost.at("work");
+        if (const auto air = airs_.find(cost.at("air")); air != airs_.end())
+            if (const std::optional<Prepared> prepared = prepare(setting, air->second))
+                return detail::table_work(*prepared->model, prepared->air);
+        const auto work = [&](const char* name) { return then.at(name).get<double>(); };
+        return {work("rebuild"),   work("view"), work("air_memory"), work("view_memory"), work("aerial_perspective_memory"),
+                work("composite"), work("light")};
+    }
+
     bool wavelengths_;
+    const std::map<std::string, AtmosphereParameters>& airs_;
     MeasuredSkies skies_;
     std::map<std::string, std::size_t> scenes_;
 };
 
 }  // namespace
 
-MeasuredSkies gather(std::span<const json> measurements, bool wavelengths) {
-    Gathering gathering(wavelengths);
+MeasuredSkies gather(std::span<const json> measurements, bool wavelengths,
+                     const std::map<std::string, AtmosphereParameters>& airs) {
+    Gathering gathering(wavelengths, airs);
     try {
         for (const json& measured : measurements) gathering.add(measured);
     } catch (const json::exception& error) {

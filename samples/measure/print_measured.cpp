@@ -62,7 +62,7 @@ std::string print(const MeasuredCost& cost) {
                              cost.composite_shadows_ms,
                              cost.shadows_mib};
     const detail::TableWork& w = cost.work;
-    const double work[] = {w.rebuild, w.view, w.air_memory, w.view_memory, w.aerial_perspective_memory};
+    const double work[] = {w.rebuild, w.view, w.air_memory, w.view_memory, w.aerial_perspective_memory, w.composite, w.light};
     std::string text = braced(values, ", ", rounded);
     text.pop_back();
     return text + ", " + braced(work, ", ", exact) + "}";

@@ -426,6 +426,13 @@ def check_plan():
     expect('aerial perspective: recorded' in scene, f'plan of a scene with terrain: {scene}')
     dusk = works('plan', SCENES / 'golden_hour.toml', '--tolerance', '20%')
     expect('4 wavelengths' in dusk.splitlines()[0] or '4' in dusk.splitlines()[0].split(), f'plan in wavelengths: {dusk}')
+    clear, hazy = (works('plan', 'earth', '--visibility', far, '--tolerance', '5%', '--list') for far in ('166.45km', '20000m'))
+    expect(clear.splitlines()[0] == works('plan', 'earth', '--tolerance', '5%').splitlines()[0] and clear != hazy,
+           f'plan: visibility {clear} {hazy}')
+    for wrong in ('10', 'far', '10 miles', 'nankm'):
+        fails('a distance with its unit, as 10km', 'plan', 'earth', '--visibility', wrong, '--tolerance', '5%')
+    fails('visibility_m: 500 is not allowed; allowed: in [1000, 220000]', 'plan', 'earth', '--visibility', '0.5km', '--tolerance', '5%')
+    fails('--visibility: of mars is not allowed', 'plan', 'mars', '--visibility', '10km', '--tolerance', '5%')
     out = works('plan', 'mars', '--tolerance', '0.01%')
     expect('does NOT meet the requirements' in out, f'plan that cannot be: {out}')
     if not QUICK:

@@ -15,6 +15,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 
 namespace aureole::app {
 namespace {
@@ -24,7 +25,7 @@ using nlohmann::json;
 constexpr std::uint32_t measured_rounds = 10;
 
 struct PlanCommand {
-    std::string scene, tolerance, sun, altitude, size;
+    std::string scene, tolerance, sun, altitude, size, visibility;
     std::vector<std::string> budgets;
     std::optional<double> geometry_km, rebuilds;
     std::optional<std::uint32_t> suns, views;
@@ -38,6 +39,7 @@ std::pair<double, std::string> number_and_unit(const std::string& option, const 
     std::size_t used = 0;
     try {
         const double value = std::stod(text, &used);
+        if (!std::isfinite(value)) throw std::invalid_argument(text);
         std::string unit = text.substr(used);
         unit.erase(0, unit.find_first_not_of(' ') == std::string::npos ? unit.size() : unit.find_first_not_of(' '));
         return {value, unit};
@@ -58,6 +60,14 @@ void parse_budget(const std::string& text, PlanRequirements& needs) {
     const auto [value, unit] = number_and_unit("--budget", text, allowed);
     if (unit != "ms" && unit != "MiB") throw Error(ErrorCode::invalid_argument, "--budget", "\"" + text + "\"", allowed);
     (unit == "ms" ? needs.budget_ms : needs.budget_mib) = value;
+}
+
+/// Metres.
+double parse_visibility(const std::string& text) {
+    constexpr const char* allowed = "a distance with its unit, as 10km or 5000m";
+    const auto [value, unit] = number_and_unit("--visibility", text, allowed);
+    if (unit != "km" && unit != "m") throw Error(ErrorCode::invalid_argument, "--visibility", "\"" + text + "\"", allowed);
+    return unit == "km" ? 1000 * value : value;
 }
 
 /// "-6:60", or one number.
@@ -98,6 +108,11 @@ PlanRequirements requirements_of(const PlanCommand& command) {
         needs.air = presets::by_name(command.scene);
     else
         needs = of_scene(read_scene(command.scene));
+    if (!command.visibility.empty()) {
+        if (command.scene != "earth")
+            throw Error(ErrorCode::invalid_argument, "--visibility", "of " + command.scene, "the preset earth, as SCENE");
+        needs.air = presets::earth_with_visibility(parse_visibility(command.visibility));
+    }
     if (!command.sun.empty()) needs.sun_elevation_deg = parse_range("--sun-elevation", command.sun);
     if (!command.altitude.empty()) needs.altitude_m = parse_range("--altitude", command.altitude);
     if (command.geometry_km) {
@@ -224,6 +239,8 @@ void add_plan_command(CLI::App& program) {
                      "A scene file (its air, sun, camera, terrain), or one of the presets " +
                          CLI::detail::join(strings(presets::names()), ", "))
         ->required();
+    command->add_option("--visibility", options->visibility,
+                        "Of the preset earth: how far one sees, 1km to 220km (meteorological optical range), by its aerosol");
     command->add_option("--tolerance", options->tolerance,
                         "Error of radiance that 95 of 100 directions stay below: 2%, or 0.02");
     command->add_option("--budget", options->budgets, "Milliseconds of a frame as 1ms, memory of tables as 2MiB; or both")

@@ -172,6 +172,7 @@ private:
 std::string with_unit(double value, const char* unit) { return with_figures(value, 3, unit); }
 std::string percent(double share) { return with_figures(100 * share, 2, "%"); }
 std::string milliseconds(double ms) { return with_figures(ms, 3, "ms"); }
+std::string times(double factor) { return with_figures(factor, 2, "times"); }
 
 std::vector<PlanChoice> choices_of(const PlanRequirements& requirements, const Predictor& predictor, const Situation& place,
                                    const Plan& plan) {

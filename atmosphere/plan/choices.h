@@ -18,5 +18,12 @@ namespace aureole::detail {
 [[nodiscard]] std::string percent(double share);
 /// "12.3 ms": three figures.
 [[nodiscard]] std::string milliseconds(double ms);
+/// "0.52 times": two figures.
+[[nodiscard]] std::string times(double factor);
+
+/// Plan::warnings, of a plan whose other figures are known.
+[[nodiscard]] std::vector<std::string> warnings_of(const PlanRequirements& requirements, const Plan& plan);
+/// Why each candidate cannot be taken: "has no shadows in the air (fog default, fog low); was not measured (...)".
+[[nodiscard]] std::string exclusions(const std::vector<PlanCandidate>& candidates);
 
 }  // namespace aureole::detail

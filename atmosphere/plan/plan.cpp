@@ -84,7 +84,8 @@ Plan make_plan(const PlanRequirements& requirements, const Take& take) {
     plan.candidates = by_cost(std::move(seen.candidates));
     if (plan.candidates.empty() || !plan.candidates.front().excluded.empty())
         throw Error(ErrorCode::unsupported, requirements.wavelengths ? "wavelengths" : "air",
-                    requirements.wavelengths ? "true" : "of these terms", "what settings were measured for");
+                    requirements.wavelengths ? "true" : "of these terms",
+                    "what a setting was measured for; none can be taken: " + exclusions(plan.candidates));
     const PlanCandidate& best = plan.candidates[best_of(requirements, plan.candidates)];
     const PlanCandidate& taken = take(plan.candidates, best);
     plan.setting = taken.setting;
@@ -98,6 +99,8 @@ Plan make_plan(const PlanRequirements& requirements, const Take& take) {
     for (const std::size_t scene : seen.nearest) plan.nearest.push_back(predictor.skies().scenes[scene].id);
     plan.distance = seen.distance;
     plan.measured_on = predictor.skies().device;
+    plan.speed = requirements.speed;
+    plan.warnings = warnings_of(requirements, plan);
     plan.choices = choices_of(requirements, predictor, places.front(), plan);
     if (!(taken.setting == best.setting))
         plan.choices.front().reason = "in use, and good enough; " + best.setting.id() + " would take " +

@@ -1,5 +1,6 @@
 #include "common/rejects.h"
 #include "plan/candidates.h"
+#include "plan/choices.h"
 
 #include <aureole/plan.h>
 #include <aureole/presets.h>
@@ -282,6 +283,43 @@ TEST_CASE("plan: far from all that was measured it says so, and its bound is wid
     CHECK(strange.text().find("FAR from all") != std::string::npos);
     CHECK(known.text().find("FAR from all") == std::string::npos);
     CHECK(strange.error.bound / strange.error.p95 > known.error.bound / known.error.p95);
+}
+
+TEST_CASE("plan: it warns of what its figures do not cover, and says whose speed its costs are of") {
+    const auto warned = [](const PlanRequirements& needs, const std::string& part) {
+        const Plan found = plan(needs);
+        const bool told = std::ranges::any_of(found.warnings, [&](const std::string& w) { return w.find(part) != w.npos; });
+        CHECK(told == (found.text().find(part) != std::string::npos));
+        return told;
+    };
+    PlanRequirements needs = earth(0.05);
+    CHECK(plan(needs).warnings.empty());
+    CHECK(plan(needs).text().find("not calibrated for another device") != std::string::npos);
+    for (const auto& [range_m, outside] : {std::pair{1e3, false}, {1e5, false}, {999.0, true}, {1.01e5, true}}) {
+        needs.geometry_range_m = range_m;
+        needs.geometry = false;
+        CHECK_FALSE(warned(needs, "geometry up to"));
+        needs.geometry = true;
+        CHECK(warned(needs, "geometry up to") == outside);
+    }
+    needs = earth(0.05);
+    needs.budget_mib = 100;
+    CHECK_FALSE(warned(needs, "budget in milliseconds"));
+    needs.budget_ms = 1000;
+    CHECK(warned(needs, "budget in milliseconds"));
+    needs.speed = {0.5, 0.25};
+    CHECK_FALSE(warned(needs, "budget in milliseconds"));
+    CHECK(plan(needs).speed == needs.speed);
+    CHECK(plan(needs).text().find("calibrated: composites take 0.50 times, tables 0.25 times as long") != std::string::npos);
+}
+
+TEST_CASE("plan: where nothing can be taken every setting's reason is told") {
+    const std::string text = exclusions({{{"fog", "low", "rgb", {}}, {}, {}, false, "has no shadows in the air"},
+                                         {{"aureole", "low", "rgb", {}}, {}, {}, true, {}},
+                                         {{"fog", "high", "rgb", {}}, {}, {}, false, "has no shadows in the air"},
+                                         {{"single", "high", "rgb", {}}, {}, {}, false, "was not measured"}});
+    CHECK(text == "has no shadows in the air (fog low, fog high); was not measured (single high)");
+    CHECK(exclusions({}) == "nothing was measured");
 }
 
 TEST_CASE("plan: budgets of memory count every view, and froxels only where there is geometry") {

@@ -41,8 +41,11 @@ std::string Plan::text() const {
     text += neighbours(*this);
     text += "by the measured scenes";
     for (std::size_t i = 0; i < nearest.size(); ++i) text += (i == 0 ? " " : ", ") + nearest[i];
-    text += distance > 1 ? ": FAR from all of them, so the bound need not hold\n" : "\n";
-    text += "costs as on " + measured_on + ", or as calibrated\n";
+    text += "\ncosts as on " + measured_on;
+    text += speed == DeviceSpeed{} ? ", not calibrated for another device\n"
+                                   : ", calibrated: composites take " + detail::times(speed.composite) + ", tables " +
+                                         detail::times(speed.tables) + " as long\n";
+    for (const std::string& warning : warnings) text += "warning: " + warning + "\n";
     return text;
 }
 

@@ -49,9 +49,10 @@ std::pair<double, std::string> number_and_unit(const std::string& option, const 
 }
 
 double parse_tolerance(const std::string& text) {
-    constexpr const char* allowed = "a share as 0.02, or a percentage as 2%";
+    constexpr const char* allowed = "a share up to 1 as 0.02, or a percentage as 2%";
     const auto [value, unit] = number_and_unit("--tolerance", text, allowed);
-    if (!unit.empty() && unit != "%") throw Error(ErrorCode::invalid_argument, "--tolerance", "\"" + text + "\"", allowed);
+    const bool share = unit.empty() && value <= 1;  // 2 is more likely to be meant as 2 %
+    if (!share && unit != "%") throw Error(ErrorCode::invalid_argument, "--tolerance", "\"" + text + "\"", allowed);
     return unit.empty() ? value : value / 100;
 }
 
@@ -59,7 +60,9 @@ void parse_budget(const std::string& text, PlanRequirements& needs) {
     constexpr const char* allowed = "milliseconds of a frame as 1ms, or memory as 2MiB";
     const auto [value, unit] = number_and_unit("--budget", text, allowed);
     if (unit != "ms" && unit != "MiB") throw Error(ErrorCode::invalid_argument, "--budget", "\"" + text + "\"", allowed);
-    (unit == "ms" ? needs.budget_ms : needs.budget_mib) = value;
+    std::optional<double>& budget = unit == "ms" ? needs.budget_ms : needs.budget_mib;
+    if (budget) throw Error(ErrorCode::invalid_argument, "--budget", "a second one in " + unit, "one in ms, and one in MiB");
+    budget = value;
 }
 
 /// Metres.
@@ -116,7 +119,7 @@ PlanRequirements requirements_of(const PlanCommand& command) {
     if (!command.sun.empty()) needs.sun_elevation_deg = parse_range("--sun-elevation", command.sun);
     if (!command.altitude.empty()) needs.altitude_m = parse_range("--altitude", command.altitude);
     if (command.geometry_km) {
-        if (*command.geometry_km < 0)
+        if (!(*command.geometry_km >= 0) || !std::isfinite(*command.geometry_km))
             throw Error(ErrorCode::invalid_argument, "--geometry", print_number(*command.geometry_km), "kilometres, 0 or more");
         needs.geometry = *command.geometry_km > 0;
         if (needs.geometry) needs.geometry_range_m = *command.geometry_km * 1000;
@@ -146,9 +149,10 @@ json to_json(const PlanCost& c) {
 }
 
 json to_json(const Plan& plan) {
-    json out{{"setting", to_json(plan.setting)}, {"tolerable", plan.tolerable}, {"error", to_json(plan.error)},
-             {"cost", to_json(plan.cost)},       {"nearest", plan.nearest},     {"distance", plan.distance},
-             {"measured_on", plan.measured_on},  {"choices", json::array()},    {"candidates", json::array()}};
+    json out{{"setting", to_json(plan.setting)}, {"tolerable", plan.tolerable},     {"error", to_json(plan.error)},
+             {"cost", to_json(plan.cost)},       {"nearest", plan.nearest},         {"distance", plan.distance},
+             {"warnings", plan.warnings},        {"measured_on", plan.measured_on}, {"choices", json::array()},
+             {"candidates", json::array()}};
     for (const PlanChoice& choice : plan.choices) {
         json one{{"what", choice.what}, {"chosen", choice.chosen}, {"reason", choice.reason}};
         if (choice.error_otherwise) one["error_otherwise"] = *choice.error_otherwise;

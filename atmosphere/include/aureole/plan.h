@@ -47,7 +47,8 @@ struct PlanRequirements {
     Projection projection = Projection::matrix;  ///< Of every camera.
     bool geometry = false;                       ///< The composite gets a host's colour and depth.
     double geometry_range_m = 96000;             ///< How far away geometry may be: of the view's froxels;
-                                                 ///< errors were measured at 1 to 100 km. In [1e-3, 1e13].
+                                                 ///< errors were measured at 1 to 100 km; outside
+                                                 ///< of these the plan warns. In [1e-3, 1e13].
     bool shadows = false;                        ///< The host's shadow map darkens the air (ViewSettings::shadows, which
                                                  ///< the host sets): of one sun, and charged at the default size. What
                                                  ///< shadows err by is in no figure of the plan (shadows.md).
@@ -127,12 +128,18 @@ struct Plan {
     /// measured scenes is from all others. Above 1 nothing like it was measured, and the bound need not hold.
     double distance = 0;
     std::string measured_on;  ///< Device of the costs, before PlanRequirements::speed.
+    DeviceSpeed speed;        ///< That they are for: PlanRequirements::speed.
+    /// What the figures do not cover, each in a sentence: an air or a place that is FAR from what was measured, geometry nearer
+    /// or farther than was measured, a budget in milliseconds that is judged by another device's speed.
+    std::vector<std::string> warnings;
 
     /// For people: every choice with its reason, the candidates on either side of the chosen one.
     [[nodiscard]] std::string text() const;
 };
 
-/// Deterministic, some milliseconds long; touches no device. Throws as validate does, of the air too.
+/// Deterministic; touches no device; from any thread. 2 ms for one place, some 20 for the widest ranges (plan.md). Throws as
+/// validate does, of the air too; and Error(unsupported) naming "wavelengths" or "air" where no setting that was measured can
+/// be taken, with the reasons of all.
 [[nodiscard]] Plan plan(const PlanRequirements& requirements);
 
 /// What to measure for a device's speed: aureole default in Earth's air, 1280x720 pixels, sky alone. Medians of about a second.
@@ -144,7 +151,8 @@ struct SpeedSample {
 };
 /// Setting to be measured for it, of presets::earth().
 [[nodiscard]] Setting speed_setting();
-/// Throws Error(invalid_argument) for a time that is not above 0.
+/// Throws Error(invalid_argument) for a time outside its range, and Error(unsupported) naming "speed" where the library's table
+/// does not have that setting's cost in Earth's air.
 [[nodiscard]] DeviceSpeed calibrated(const SpeedSample& sample);
 
 }  // namespace aureole

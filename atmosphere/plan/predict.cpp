@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -37,6 +38,13 @@ Situation at_rest(Situation situation) {
     return situation;
 }
 
+/// In units of their axes.
+double distance_between(const Situation& a, const Situation& b) {
+    double square = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) square += (a[i] - b[i]) * (a[i] - b[i]);
+    return std::sqrt(square);
+}
+
 }  // namespace
 
 Predictor::Predictor(const MeasuredSkies& skies, std::vector<std::size_t> scenes) : skies_(skies), scenes_(std::move(scenes)) {
@@ -49,7 +57,9 @@ Predictor::Predictor(const MeasuredSkies& skies, std::vector<std::size_t> scenes
     if (scenes_.empty()) return;
     Index index;
     all_ = family_of(index, scenes_, false);
-    loneliest_ = std::ranges::max(families_[all_].kriging.left_out_variances());
+    std::vector<double> variances = families_[all_].kriging.left_out_variances();
+    std::ranges::sort(variances);
+    lonely_ = variances[(variances.size() - 1) * 9 / 10];
     for (const MeasuredSetting& setting : skies.settings) {
         for (const auto error : measured_errors) learn(index, setting.*error);
         knows_light_ |= errors_.contains(&setting.light);
@@ -100,7 +110,13 @@ std::optional<PredictedError> Predictor::Here::predict(const MeasuredError& erro
                           std::exp(logarithm + from_.skies_.margin * error.spread * std::sqrt(weighed.variance))};
 }
 
-double Predictor::Here::distance() { return std::sqrt(weights(from_.all_).variance / from_.loneliest_); }
+double Predictor::Here::distance() {
+    const Situation air = at_rest(place_);
+    double apart = std::numeric_limits<double>::infinity();
+    for (const std::optional<Situation>& known : from_.airs_)
+        if (known) apart = std::min(apart, distance_between(air, *known));
+    return std::max(std::sqrt(weights(from_.all_).variance / from_.lonely_), apart);
+}
 
 std::vector<std::size_t> Predictor::Here::nearest(std::size_t most) const {
     std::vector<std::pair<double, std::size_t>> unlike;

@@ -38,8 +38,9 @@ public:
         /// `error` is one of the skies'. None where it is known in too few scenes.
         [[nodiscard]] std::optional<PredictedError> predict(const MeasuredError& error);
         [[nodiscard]] const Predictor& predictor() const { return from_; }
-        /// How far the place is from all scenes: 0 at a scene, 1 as far as the loneliest scene is from the others, by the
-        /// deviation that Kriging expects.
+        /// How far the place is from all scenes: 0 at a scene. 1 where the deviation that Kriging expects is that of a scene
+        /// which is lonelier among the others than nine of ten, or the air is one unit of its coordinates away from any that
+        /// was measured, whatever Kriging makes of it: along the axes of the air its lengths are those of few airs.
         [[nodiscard]] double distance();
         /// Indices of the scenes that are most like it, most of all the first.
         [[nodiscard]] std::vector<std::size_t> nearest(std::size_t most) const;
@@ -82,7 +83,7 @@ private:
     std::vector<Family> families_;
     std::size_t all_ = 0;  // the family of all scenes
     bool knows_light_ = false;
-    double loneliest_ = 1;  // variance of the scene that is least like the others
+    double lonely_ = 1;  // variance that nine of ten scenes have less of, left out
     std::unordered_map<const MeasuredError*, Known> errors_;
     std::unordered_map<const MeasuredSetting*, std::size_t> costs_;  // families of airs
 };

@@ -124,8 +124,8 @@ struct Plan {
     std::vector<PlanChoice> choices;
     std::vector<PlanCandidate> candidates;  ///< All, from the cheapest on; those excluded last.
     std::vector<std::string> nearest;       ///< Ids of the measured scenes that the prediction goes by most.
-    /// How far the worst of the situations is from what was measured: 0 at a measured scene; 1 as far as the loneliest of the
-    /// measured scenes is from all others. Above 1 nothing like it was measured, and the bound need not hold.
+    /// How far the worst of the situations is from what was measured: 0 at a measured scene; 1 as far as one of ten measured
+    /// scenes is from all others, or in air that is unlike any that was measured. Above 1 the bound need not hold.
     double distance = 0;
     std::string measured_on;  ///< Device of the costs, before PlanRequirements::speed.
     DeviceSpeed speed;        ///< That they are for: PlanRequirements::speed.

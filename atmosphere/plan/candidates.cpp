@@ -106,6 +106,18 @@ std::optional<PlanError> worse(const PlanRequirements& requirements, const Measu
     return worst;
 }
 
+std::optional<double> measured_worst(const PlanRequirements& requirements, const MeasuredSetting& setting, std::size_t scene) {
+    double worst = 0;
+    const auto take = [&](const MeasuredError& error) {
+        const std::optional<double> truth = error.in(scene);
+        worst = std::max(worst, truth.value_or(0));
+        return truth.has_value();
+    };
+    const bool known = take(setting.sky_p95) && (!requirements.geometry || take(setting.aerial_p95)) &&
+                       (!requirements.light || take(setting.light));
+    return known ? std::optional(worst) : std::nullopt;
+}
+
 bool tolerates(const PlanRequirements& requirements, const PlanCandidate& candidate) {
     return (!requirements.tolerance || candidate.error.bound <= *requirements.tolerance) &&
            (!requirements.budget_ms || candidate.cost.charged_ms <= *requirements.budget_ms) &&

@@ -6,6 +6,7 @@
 
 #include <aureole/plan.h>
 
+#include <optional>
 #include <vector>
 
 namespace aureole::detail {
@@ -18,6 +19,9 @@ namespace aureole::detail {
 /// it is not known. In tables without any errors of light these are left aside.
 [[nodiscard]] std::optional<PlanError> worse(const PlanRequirements& requirements, const MeasuredSetting& setting,
                                              Predictor::Here& here, const PlanError& so_far);
+/// What was measured of a setting in a scene of all that its bound is of: the worst; none where a part of it is not known.
+[[nodiscard]] std::optional<double> measured_worst(const PlanRequirements& requirements, const MeasuredSetting& setting,
+                                                   std::size_t scene);
 /// Whether a candidate meets tolerance and budgets.
 [[nodiscard]] bool tolerates(const PlanRequirements& requirements, const PlanCandidate& candidate);
 

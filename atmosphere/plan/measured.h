@@ -23,6 +23,11 @@ struct MeasuredError {
     double spread = 0;  ///< Of the logarithm: root of the variance that Kriging's variances are shares of.
     std::vector<std::int16_t> by_scene;
 
+    /// As it was measured; none where it was not.
+    [[nodiscard]] std::optional<double> in(std::size_t scene) const {
+        if (by_scene[scene] == unknown) return {};
+        return std::exp(by_scene[scene] / 1000.0);
+    }
     [[nodiscard]] static std::int16_t pack(double error) {
         return static_cast<std::int16_t>(std::lround(1000 * std::log(std::min(std::max(error, 1e-9), 1e9))));
     }

@@ -28,29 +28,6 @@ PlanRequirements earth(double tolerance) {
     return needs;
 }
 
-double measured(const MeasuredError& error, std::size_t scene) { return std::exp(error.by_scene[scene] / 1000.0); }
-
-/// Of the settings that were measured in this scene, within so much of the tolerance. Costs as measured in its air; as foretold
-/// for it where they were not.
-double cheapest_that_meets(const PlanRequirements& needs, const MeasuredSkies& skies, std::size_t scene, double share) {
-    double cheapest = std::numeric_limits<double>::infinity();
-    const Predictor predictor(skies);
-    for (const MeasuredSetting& setting : skies.settings) {
-        if (setting.sky_p95.by_scene[scene] == MeasuredError::unknown) continue;
-        if (measured(setting.sky_p95, scene) > share * *needs.tolerance) continue;
-        MeasuredCost cost = setting.by_air[skies.scenes[scene].air];
-        if (cost.air_mib == 0) {
-            const Prepared prepared = prepare(setting.setting, needs.air).value();
-            const auto foretold =
-                predictor.cost(setting, skies.scenes[scene].situation, table_work(*prepared.model, prepared.air));
-            if (!foretold) continue;  // no plan takes it
-            cost = *foretold;
-        }
-        cheapest = std::min(cheapest, cost_of(needs, cost).cost.charged_ms);
-    }
-    return cheapest;
-}
-
 const PlanChoice* find(const Plan& plan, const std::string& what) {
     const auto found = std::ranges::find(plan.choices, what, &PlanChoice::what);
     return found == plan.choices.end() ? nullptr : &*found;
@@ -98,58 +75,6 @@ TEST_CASE("plan: bad requirements are refused by name") {
     }
     CHECK(rejected_field([] { (void)calibrated({0, 1}); }) == "composite_ms");
     CHECK(rejected_field([] { (void)calibrated({1, not_a_number}); }) == "tables_ms");
-}
-
-namespace {
-
-/// That air of a suite is a preset's, in whatever colours; empty: it is the suite's own.
-std::string preset_of(std::string air) {
-    if (const auto colours = air.find("_in_wavelengths"); colours != std::string::npos) air.resize(colours);
-    const auto presets = presets::names();
-    return std::ranges::find(presets, air) == presets.end() ? std::string() : air;
-}
-
-void check_every_scene(const MeasuredSkies& skies, bool wavelengths) {
-    std::size_t planned = 0, refused = 0, scenes = 0;
-    for (std::size_t scene = 0; scene < skies.scenes.size(); ++scene) {
-        const MeasuredScene& at = skies.scenes[scene];
-        const std::string preset = preset_of(skies.airs[at.air]);
-        if (preset.empty()) continue;
-        ++scenes;
-        for (const double tolerance : {0.005, 0.0075, 0.01, 0.015, 0.02, 0.03, 0.05, 0.075, 0.1, 0.15, 0.2}) {
-            PlanRequirements needs = earth(tolerance);
-            needs.air = presets::by_name(preset);
-            needs.wavelengths = wavelengths;
-            needs.sun_elevation_deg = {at.sun_elevation_deg, at.sun_elevation_deg};
-            needs.altitude_m = {at.altitude_m, at.altitude_m};
-            const Plan found = plan(needs);
-            INFO(at.id, " at ", tolerance, ": ", found.setting.id());
-            CHECK(found.distance < 0.01);
-            // Errors are kept in thousandths of their logarithm: what is right on the tolerance may fall on either side.
-            const double cheapest = cheapest_that_meets(needs, skies, scene, 0.99);
-            if (std::isfinite(cheapest)) CHECK(found.tolerable);
-            if (!found.tolerable) {
-                ++refused;
-                continue;
-            }
-            ++planned;
-            CHECK(found.error.p95 <= 1.01 * tolerance);
-            CHECK(found.cost.charged_ms <= 1.15 * cheapest);
-            // Unless it takes one that was measured elsewhere, and is foretold to be good enough here.
-            const auto chosen = std::ranges::find(skies.settings, found.setting, &MeasuredSetting::setting);
-            if (chosen->sky_p95.by_scene[scene] != MeasuredError::unknown)
-                CHECK(found.cost.charged_ms >= 0.999 * cheapest_that_meets(needs, skies, scene, 1.01));
-        }
-    }
-    CHECK(planned > scenes);
-    CHECK(refused > 0);  // half a percent in twilight
-}
-
-}  // namespace
-
-TEST_CASE("plan: in every measured scene, for every tolerance, it is the cheapest measured setting that meets it") {
-    check_every_scene(measured_in_rgb(), false);
-    check_every_scene(measured_in_wavelengths(), true);
 }
 
 TEST_CASE(

@@ -35,11 +35,6 @@ std::vector<std::size_t> all_but(std::size_t count, const std::vector<std::size_
     return result;
 }
 
-std::optional<double> measured(const MeasuredError& error, std::size_t scene) {
-    if (error.by_scene[scene] == MeasuredError::unknown) return {};
-    return std::exp(error.by_scene[scene] / 1000.0);
-}
-
 /// An error beside what was measured.
 struct Foretold {
     double excess, off;  // Coverage::Of
@@ -92,23 +87,9 @@ public:
 
 private:
     static void add(std::vector<Foretold>& list, Predictor::Here& here, const MeasuredError& error, std::size_t scene) {
-        const std::optional<double> truth = measured(error, scene);
+        const std::optional<double> truth = error.in(scene);
         const auto predicted = truth ? here.predict(error) : std::nullopt;
         if (predicted) list.push_back({predicted->bound / *truth, std::abs(std::log(predicted->likely / *truth))});
-    }
-
-    /// What was measured in a scene of all that a plan's bound is of; none where a part is not known.
-    static std::optional<double> measured_worst(const PlanRequirements& needs, const MeasuredSetting& setting,
-                                                std::size_t scene) {
-        double worst = 0;
-        const auto take = [&](const MeasuredError& error) {
-            const std::optional<double> truth = measured(error, scene);
-            worst = std::max(worst, truth.value_or(0));
-            return truth.has_value();
-        };
-        if (!take(setting.sky_p95) || (needs.geometry && !take(setting.aerial_p95)) || (needs.light && !take(setting.light)))
-            return {};
-        return worst;
     }
 
     /// As plan() does, among the settings that were measured there, with their costs.
@@ -116,12 +97,12 @@ private:
         const std::vector<MeasuredSetting>& settings = predictor_.skies().settings;
         PlanRequirements needs;
         needs.geometry = geometry;
-        needs.light = std::ranges::any_of(settings, [&](const auto& one) { return measured(one.light, scene).has_value(); });
+        needs.light = std::ranges::any_of(settings, [&](const auto& one) { return one.light.in(scene).has_value(); });
         std::vector<PlanCandidate> candidates;
         std::vector<double> truth;
         for (const MeasuredSetting& setting : settings) {
             const MeasuredCost& cost = setting.by_air[skies_.scenes[scene].air];
-            const std::optional<double> worst = measured_worst(needs, setting, scene);
+            const std::optional<double> worst = detail::measured_worst(needs, setting, scene);
             const auto error = worst ? detail::worse(needs, setting, here, {}) : std::nullopt;
             if (!error || cost.air_mib == 0) continue;
             candidates.push_back({setting.setting, *error, detail::cost_of(needs, cost).cost, false, {}});

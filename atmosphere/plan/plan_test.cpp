@@ -110,7 +110,14 @@ TEST_CASE("plan: what it returns can be drawn as it is, and says what it does wi
     REQUIRE(find(bare, "aerial perspective"));
     CHECK(find(bare, "aerial perspective")->chosen == "left out");
     REQUIRE(find(bare, "term rayleigh"));
-    CHECK(bare.air.terms.size() + bare.setting.without.size() >= needs.air.terms.size());
+    for (const PlanCandidate& one : bare.candidates) {  // what a setting leaves out is not in its air, and all else is
+        const std::optional<Prepared> prepared = prepare(one.setting, needs.air);
+        REQUIRE(prepared);
+        if (one.setting == bare.setting) CHECK(bare.air == prepared->air);
+        for (const DensityTerm& term : needs.air.terms)
+            CHECK((std::ranges::count(prepared->air.terms, term.name, &DensityTerm::name) == 0) ==
+                  one.setting.leaves_out(term.name));
+    }
 
     needs.geometry = true;
     needs.geometry_range_m = 12345;

@@ -201,6 +201,23 @@ TEST_CASE("planned sky: a climb from the ground to space names everything that i
     CHECK(changed.contains("memory"));
 }
 
+TEST_CASE("planned sky: before the first update there is nothing to show, and what is set is kept for it") {
+    const auto backend = open_cpu_float();
+    Shown shown(*backend, 0.2, false);
+    CHECK(shown.sky.table_bytes() == 0);
+    CHECK(shown.sky.plan().setting == plan(day_and_dusk(0.2)).setting);
+    CHECK(backend->run([&](rhi::CommandList& commands) { shown.sky.record(commands); }).total() == 0);
+    shown.sky.invalidate();
+    CHECK_FALSE(shown.sky.light().before);
+    for (const double wrong : {0.0, 1e31, std::numeric_limits<double>::quiet_NaN()})
+        CHECK(rejected_field([&] { shown.sky.set_exposure(wrong); }) == "composite.exposure");
+    shown.sky.set_exposure(20);
+    shown.sky.prepare_composite(shown.targets);
+    (void)shown.update(40);
+    const CompositeSettings composite{.target_format = rhi::Format::rgba32_float, .exposure = 20};
+    CHECK(shown.show() == alone(*backend, shown.sky.plan(), composite, 40));
+}
+
 TEST_CASE("planned sky: a camera or a sun that is nowhere is refused, and the plan stays") {
     const auto backend = open_cpu_float();
     constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();

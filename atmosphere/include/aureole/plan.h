@@ -21,6 +21,8 @@
 
 namespace aureole {
 
+/// From `least` to `most`, both included; one place where they are the same. What it is of says unit and limits; `most` less
+/// than `least`, or no number, is Error(invalid_argument) naming the end, as "altitude_m.most".
 struct PlanRange {
     double least = 0, most = 0;
     [[nodiscard]] bool operator==(const PlanRange&) const = default;
@@ -44,7 +46,8 @@ struct PlanRequirements {
     PlanRange altitude_m{2, 2};          ///< Of the camera above the ground radius; in [-1e4, 1e12], least first.
 
     // What is shown.
-    Projection projection = Projection::matrix;  ///< Of every camera.
+    Projection projection = Projection::matrix;  ///< Of every camera. Costs were measured for matrix, and the others are
+                                                 ///< charged the same.
     bool geometry = false;                       ///< The composite gets a host's colour and depth.
     double geometry_range_m = 96000;             ///< How far away geometry may be: of the view's froxels;
                                                  ///< errors were measured at 1 to 100 km; outside

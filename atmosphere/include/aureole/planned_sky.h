@@ -87,6 +87,8 @@ public:
     /// Other air: planned for by the next update(), after a fade that is under way. Where the same setting is enough, as
     /// Atmosphere::set_parameters. Throws as plan() does, and then nothing has changed.
     void set_air(const AtmosphereParameters& air);
+    /// As CompositeSettings::exposure, in [1e-30, 1e30]; anything else throws Error(invalid_argument) naming
+    /// "composite.exposure", and then nothing has changed. Before the first update(): of the sky which that makes.
     void set_exposure(double exposure);
     /// As View::set_shadow_map, where PlanRequirements::shadows. Before the first update() there is no view to check a
     /// texture's use: such an error comes from there. If the device refuses during a fade, one of the two skies may have taken
@@ -99,14 +101,15 @@ public:
     /// can be sampled. Before the first update() there is no view to check a texture's use: such an error comes from there.
     void prepare_composite(const CompositeTargets& targets);
     void release_composite(const CompositeTargets& targets) noexcept;
-    /// Records the tables of the air and the camera that are due.
+    /// Records the tables of the air and the camera that are due. Before the first update(): nothing.
     void record(rhi::CommandList& commands);
-    /// Records the composite; during a fade two of them, and one over the other.
+    /// Records the composite; during a fade two of them, and one over the other. Before the first update() nothing but an error
+    /// in the log.
     void record_composite(rhi::CommandList& commands, const CompositeTargets& targets);
-    void invalidate() noexcept;  ///< As Atmosphere's.
+    void invalidate() noexcept;  ///< As Atmosphere's. A fade begins anew.
 
     [[nodiscard]] PlannedLight light() const noexcept;
-    [[nodiscard]] std::uint64_t table_bytes() const noexcept;  ///< Of all skies there are at the moment.
+    [[nodiscard]] std::uint64_t table_bytes() const noexcept;  ///< Of all skies there are at the moment; 0 before update().
 
 private:
     struct Impl;

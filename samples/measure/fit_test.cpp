@@ -230,6 +230,37 @@ TEST_CASE("fit: a third is drawn by seed and name alone") {
     CHECK(first != drawn_third(skies, 2));
 }
 
+TEST_CASE("fit: an air that is left out is foretold from the others, its costs by their work") {
+    MeasuredSkies skies = invented(60);
+    skies.airs = {"thin", "thick"};
+    for (std::size_t i = 0; i < skies.scenes.size(); ++i) skies.scenes[i].air = i % 2;
+    detail::MeasuredCost thin, thick;
+    thin.air_mib = thick.air_mib = 1;
+    thin.composite_ms = 10;
+    thick.composite_ms = 40;
+    thick.work.composite = 4;
+    thin.rebuild_ms = 5;
+    thick.rebuild_ms = 100;
+    thick.work.rebuild = 10;  // so half of it is foretold
+    skies.settings[0].by_air = {thin, thick};
+    const std::vector<AirLeftOut> found = without_each_air(skies);
+    REQUIRE(found.size() == 2);
+    CHECK(found[0].air == "thin");
+    CHECK(found[1].air == "thick");
+    for (const AirLeftOut& one : found) {
+        CHECK(one.errors.all.predictions == 90);  // 30 scenes
+        REQUIRE(one.costs.size() == 3);
+        for (const ForetoldCost& cost : one.costs) {
+            const bool rebuild = cost.what == "rebuild";
+            CHECK(cost.off() == doctest::Approx(!rebuild ? 0 : one.air == "thin" ? 1 : -0.5).epsilon(1e-6).scale(1));
+            CHECK(cost.within(cost_tolerance) == !rebuild);
+        }
+    }
+    CHECK(ForetoldCost{"", "", "rebuild", 0.05, 0.03}.within(0.3));  // too little to tell
+    CHECK_FALSE(ForetoldCost{"", "", "rebuild", 0.5, 0.03}.within(0.3));
+    CHECK(without_each_air(invented(60)).empty());  // nothing is left to go by
+}
+
 namespace {
 
 /// Thirds held out in turn, together.

@@ -1,7 +1,10 @@
+#include "common/check.h"
+
 #include <aureole/presets.h>
 #include <aureole/spectrum.h>
 
 #include <array>
+#include <cmath>
 #include <string>
 
 namespace aureole::presets {
@@ -42,6 +45,23 @@ AtmosphereParameters earth_with(const DensityTerm& mie, double albedo) {
 AtmosphereParameters earth() { return earth_with(aerosol("mie", Rgb(3.996e-6), Rgb(0.444e-6), 1.2e3, 0.8), 0.3); }
 
 AtmosphereParameters hazy_earth() { return earth_with(aerosol("mie", Rgb(39.96e-6), Rgb(4.44e-6), 1.2e3, 0.76), 0.1); }
+
+AtmosphereParameters earth_with_visibility(double visibility_m) {
+    detail::check("visibility_m", visibility_m, 1e3, 220e3);
+    AtmosphereParameters air = earth();
+    DensityTerm* aerosol = nullptr;
+    double others = 0;
+    for (DensityTerm& term : air.terms) {
+        if (term.name == "mie")
+            aerosol = &term;
+        else if (std::holds_alternative<ExponentialProfile>(term.profile))  // ozone does not reach the ground
+            others += term.scattering_per_m.g + term.absorption_per_m.g;
+    }
+    const double scale = (std::log(20) / visibility_m - others) / (aerosol->scattering_per_m.g + aerosol->absorption_per_m.g);
+    aerosol->scattering_per_m *= scale;
+    aerosol->absorption_per_m *= scale;
+    return air;
+}
 
 AtmosphereParameters mars() {
     return {.planet = {.bottom_radius_m = 3389.5e3, .top_radius_m = 3509.5e3, .ground_albedo = Rgb(0.25)},

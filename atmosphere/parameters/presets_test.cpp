@@ -41,6 +41,25 @@ constexpr double red_nm = 680, green_nm = 550, blue_nm = 440;
 
 }  // namespace
 
+TEST_CASE("presets: Earth with a visibility loses 95 % of a level beam of green light over it") {
+    for (const double visibility : {1e3, 5e3, 10e3, 50e3, 166e3, 220e3}) {
+        const AtmosphereParameters air = presets::earth_with_visibility(visibility);
+        CHECK_NOTHROW(validate(air));
+        CHECK(std::exp(-sample_medium(air, 0).extinction_per_m.g * visibility) ==
+              doctest::Approx(0.05).epsilon(1e-9).scale(1e-300));
+        CHECK(air.planet == presets::earth().planet);
+        check_rgb(vertical_optical_depth(air, "rayleigh"), vertical_optical_depth(presets::earth(), "rayleigh"), 1e-12);
+        for (const DensityTerm& term : air.terms)
+            if (term.name == "mie") check_rgb(albedo(term), Rgb(0.9), 1e-12);
+    }
+    // 2.9957 / (13.558e-6 + 3.996e-6 + 0.444e-6) m.
+    const AtmosphereParameters as_it_is = presets::earth_with_visibility(166.45e3);
+    check_rgb(vertical_optical_depth(as_it_is, "mie"), vertical_optical_depth(presets::earth(), "mie"), 1e-3);
+    CHECK(detail::rejected_field([] { (void)presets::earth_with_visibility(999); }) == "visibility_m");
+    CHECK(detail::rejected_field([] { (void)presets::earth_with_visibility(221e3); }) == "visibility_m");
+    CHECK(detail::rejected_field([] { (void)presets::earth_with_visibility(std::nan("")); }) == "visibility_m");
+}
+
 TEST_CASE("presets: earth") {
     const AtmosphereParameters air = presets::earth();
     // Coefficient x 8000 m x (1 - exp(-100/8)); exp(-12.5) = 3.7267e-6.

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
+#include <span>
+#include <utility>
 
 namespace aureole::detail {
 namespace {
@@ -13,6 +16,9 @@ namespace {
 constexpr double measured_pixels = double(measured_width) * measured_height;
 constexpr double alike = 1.1;  // costs, or errors, that differ by less are the same
 constexpr int sun_steps = 8, altitude_steps = 4;
+constexpr std::size_t nearest_named = 3;
+
+bool inside(const PlanRange& range, double value) { return range.least <= value && value <= range.most; }
 
 /// `steps` + 1 places from one end to the other, evenly in `warp`; one if both ends are the same.
 template <class Warp, class Unwarp>
@@ -26,34 +32,10 @@ std::vector<double> spread_over(PlanRange range, int steps, const Warp& warp, co
     return result;
 }
 
-/// The worst of places so far, by what a view shows; none where nothing of it was measured.
-std::optional<PlanError> worse(const PlanRequirements& requirements, const MeasuredSetting& measured, Predictor& predictor,
-                               const Situation& place, const PlanError& so_far) {
-    PlanError worst = so_far;
-    const std::optional<PredictedError> median = predictor.predict(measured.sky_median, place);
-    const std::optional<PredictedError> sky = predictor.predict(measured.sky_p95, place);
-    if (!median || !sky) return {};
-    worst.median = std::max(worst.median, median->likely);
-    worst.p95 = std::max(worst.p95, sky->likely);
-    worst.bound = std::max(worst.bound, sky->bound);
-    if (!requirements.geometry) return worst;
-    const std::optional<PredictedError> through = predictor.predict(measured.aerial_p95, place);
-    if (!through) return {};
-    worst.p95 = std::max(worst.p95, through->likely);
-    worst.bound = std::max(worst.bound, through->bound);
-    return worst;
-}
-
 std::string why_excluded(const PlanRequirements& requirements, const std::optional<Prepared>& prepared) {
     if (!prepared) return "leaves out what this air does not have";
     if (requirements.shadows && !prepared->model->has_shadows()) return "has no shadows in the air";
     return {};
-}
-
-bool tolerates(const PlanRequirements& requirements, const PlanCandidate& candidate) {
-    return (!requirements.tolerance || candidate.error.bound <= *requirements.tolerance) &&
-           (!requirements.budget_ms || candidate.cost.charged_ms <= *requirements.budget_ms) &&
-           (!requirements.budget_mib || candidate.cost.mebibytes <= *requirements.budget_mib);
 }
 
 /// Of those that `counts`, the least by `first`; of those alike in it the least by `second`.
@@ -77,20 +59,69 @@ std::optional<std::size_t> least(const std::vector<PlanCandidate>& candidates, c
 std::vector<Situation> situations_of(const PlanRequirements& requirements, const MeasuredSkies& skies) {
     const AirCoordinates air(requirements.air);
     const Planet& planet = requirements.air.planet;
-    auto suns = spread_over(requirements.sun_elevation_deg, sun_steps, sun_axis, elevation_of);
+    const auto suns = spread_over(requirements.sun_elevation_deg, sun_steps, sun_axis, elevation_of);
     const auto altitudes = spread_over(
         requirements.altitude_m, altitude_steps, [&](double m) { return altitude_axis(m, planet); },
         [&](double on_axis) { return altitude_of(on_axis, planet); });
-    // What was measured worst is not passed over.
-    for (const MeasuredScene& scene : skies.scenes)
-        if (scene.sun_elevation_deg > requirements.sun_elevation_deg.least &&
-            scene.sun_elevation_deg < requirements.sun_elevation_deg.most &&
-            std::ranges::find(suns, scene.sun_elevation_deg) == suns.end())
-            suns.push_back(scene.sun_elevation_deg);
+    std::set<std::pair<double, double>> places;
+    const auto add = [&](double sun, std::span<const double> heights) {
+        for (const double altitude : heights) places.emplace(sun, altitude);
+    };
+    for (const double sun : suns) add(sun, altitudes);
+    // What was measured worst is not passed over: where it was measured, nor at another altitude or hour.
+    for (const MeasuredScene& scene : skies.scenes) {
+        const bool hour = inside(requirements.sun_elevation_deg, scene.sun_elevation_deg);
+        const bool height = inside(requirements.altitude_m, scene.altitude_m);
+        if (hour) add(scene.sun_elevation_deg, altitudes);
+        if (hour && height) places.emplace(scene.sun_elevation_deg, scene.altitude_m);
+        if (height)
+            for (const double sun : suns) places.emplace(sun, scene.altitude_m);
+    }
     std::vector<Situation> result;
-    for (const double sun : suns)
-        for (const double altitude : altitudes) result.push_back(air.at(sun, altitude));
+    for (const auto& [sun, altitude] : places) result.push_back(air.at(sun, altitude));
     return result;
+}
+
+std::optional<PlanError> worse(const PlanRequirements& requirements, const MeasuredSetting& setting, Predictor::Here& here,
+                               const PlanError& so_far) {
+    PlanError worst = so_far;
+    const std::optional<PredictedError> median = here.predict(setting.sky_median);
+    const std::optional<PredictedError> sky = here.predict(setting.sky_p95);
+    if (!median || !sky) return {};
+    worst.median = std::max(worst.median, median->likely);
+    worst.p95 = std::max(worst.p95, sky->likely);
+    worst.bound = std::max(worst.bound, sky->bound);
+    if (requirements.geometry) {
+        const std::optional<PredictedError> through = here.predict(setting.aerial_p95);
+        if (!through) return {};
+        worst.p95 = std::max(worst.p95, through->likely);
+        worst.bound = std::max(worst.bound, through->bound);
+    }
+    if (requirements.light && here.predictor().knows_light()) {
+        const std::optional<PredictedError> light = here.predict(setting.light);
+        if (!light) return {};
+        worst.light = std::max(worst.light, light->likely);
+        worst.bound = std::max(worst.bound, light->bound);
+    }
+    return worst;
+}
+
+std::optional<double> measured_worst(const PlanRequirements& requirements, const MeasuredSetting& setting, std::size_t scene) {
+    double worst = 0;
+    const auto take = [&](const MeasuredError& error) {
+        const std::optional<double> truth = error.in(scene);
+        worst = std::max(worst, truth.value_or(0));
+        return truth.has_value();
+    };
+    const bool known = take(setting.sky_p95) && (!requirements.geometry || take(setting.aerial_p95)) &&
+                       (!requirements.light || take(setting.light));
+    return known ? std::optional(worst) : std::nullopt;
+}
+
+bool tolerates(const PlanRequirements& requirements, const PlanCandidate& candidate) {
+    return (!requirements.tolerance || candidate.error.bound <= *requirements.tolerance) &&
+           (!requirements.budget_ms || candidate.cost.charged_ms <= *requirements.budget_ms) &&
+           (!requirements.budget_mib || candidate.cost.mebibytes <= *requirements.budget_mib);
 }
 
 CostParts cost_of(const PlanRequirements& requirements, const MeasuredCost& measured) {
@@ -114,33 +145,49 @@ CostParts cost_of(const PlanRequirements& requirements, const MeasuredCost& meas
     return parts;
 }
 
-std::vector<PlanCandidate> candidates_of(const PlanRequirements& requirements, const MeasuredSkies& skies,
-                                         Predictor& predictor) {
-    const std::vector<Situation> places = situations_of(requirements, skies);
-    std::vector<PlanCandidate> result;
-    for (const MeasuredSetting& measured : skies.settings) {
-        PlanCandidate& candidate = result.emplace_back();
-        candidate.setting = measured.setting;
-        const std::optional<Prepared> prepared = prepare(measured.setting, requirements.air);
-        candidate.excluded = why_excluded(requirements, prepared);
-        if (!candidate.excluded.empty()) continue;
-        const auto cost = predictor.cost(measured, places.front(), table_work(*prepared->model, prepared->air));
-        if (cost)
-            candidate.cost = cost_of(requirements, *cost).cost;
-        else
-            candidate.excluded = "was not measured";
-    }
-    // Place by place: what a prediction weighs is found once for all settings.
-    for (const Situation& place : places)
-        for (std::size_t i = 0; i < result.size(); ++i) {
-            if (!result[i].excluded.empty()) continue;
-            const auto error = worse(requirements, skies.settings[i], predictor, place, result[i].error);
-            if (error)
-                result[i].error = *error;
-            else
-                result[i] = {skies.settings[i].setting, {}, {}, false, "was not measured"};
+namespace {
+
+/// Costs alone; the air is the same everywhere.
+PlanCandidate candidate_of(const PlanRequirements& requirements, const MeasuredSetting& measured, const Predictor& predictor,
+                           const Situation& place) {
+    PlanCandidate candidate;
+    candidate.setting = measured.setting;
+    const std::optional<Prepared> prepared = prepare(measured.setting, requirements.air);
+    candidate.excluded = why_excluded(requirements, prepared);
+    if (!candidate.excluded.empty()) return candidate;
+    const auto cost = predictor.cost(measured, place, table_work(*prepared->model, prepared->air));
+    if (cost)
+        candidate.cost = cost_of(requirements, *cost).cost;
+    else
+        candidate.excluded = "was not measured";
+    return candidate;
+}
+
+}  // namespace
+
+Outlook outlook(const PlanRequirements& requirements, const Predictor& predictor, const std::vector<Situation>& places) {
+    const std::vector<MeasuredSetting>& settings = predictor.skies().settings;
+    Outlook result;
+    for (const MeasuredSetting& setting : settings)
+        result.candidates.push_back(candidate_of(requirements, setting, predictor, places.front()));
+    const Situation* farthest = &places.front();
+    for (const Situation& place : places) {
+        Predictor::Here here = predictor.at(place);
+        if (const double distance = here.distance(); distance > result.distance) {
+            result.distance = distance;
+            farthest = &place;
         }
-    for (PlanCandidate& candidate : result)
+        for (std::size_t i = 0; i < settings.size(); ++i) {
+            PlanCandidate& candidate = result.candidates[i];
+            if (!candidate.excluded.empty()) continue;
+            if (const auto error = worse(requirements, settings[i], here, candidate.error))
+                candidate.error = *error;
+            else
+                candidate = {settings[i].setting, {}, {}, false, "was not measured"};
+        }
+    }
+    result.nearest = predictor.at(*farthest).nearest(nearest_named);
+    for (PlanCandidate& candidate : result.candidates)
         candidate.tolerable = candidate.excluded.empty() && tolerates(requirements, candidate);
     return result;
 }

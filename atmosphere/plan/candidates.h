@@ -6,16 +6,34 @@
 
 #include <aureole/plan.h>
 
+#include <optional>
 #include <vector>
 
 namespace aureole::detail {
 
-/// Places that stand for the ranges: their ends, some between, and every elevation between that was measured.
+/// Places that stand for the ranges: their ends, some between, every elevation and altitude between that was measured with
+/// those of the other, and every measured scene. At least one; each once.
 [[nodiscard]] std::vector<Situation> situations_of(const PlanRequirements& requirements, const MeasuredSkies& skies);
 
-/// All of `skies`, in their order. `predictor` is one of them.
-[[nodiscard]] std::vector<PlanCandidate> candidates_of(const PlanRequirements& requirements, const MeasuredSkies& skies,
-                                                       Predictor& predictor);
+/// What a setting errs by in a place, by what a view shows and its materials need, if that is worse than `so_far`; none where
+/// it is not known. In tables without any errors of light these are left aside.
+[[nodiscard]] std::optional<PlanError> worse(const PlanRequirements& requirements, const MeasuredSetting& setting,
+                                             Predictor::Here& here, const PlanError& so_far);
+/// What was measured of a setting in a scene of all that its bound is of: the worst; none where a part of it is not known.
+[[nodiscard]] std::optional<double> measured_worst(const PlanRequirements& requirements, const MeasuredSetting& setting,
+                                                   std::size_t scene);
+/// Whether a candidate meets tolerance and budgets.
+[[nodiscard]] bool tolerates(const PlanRequirements& requirements, const PlanCandidate& candidate);
+
+/// Every measured setting in some places, and the one of these that is least like any that was measured.
+struct Outlook {
+    std::vector<PlanCandidate> candidates;  ///< In the order of MeasuredSkies::settings.
+    double distance = 0;                    ///< Of that place.
+    std::vector<std::size_t> nearest;       ///< Scenes, to that place.
+};
+/// At least one place.
+[[nodiscard]] Outlook outlook(const PlanRequirements& requirements, const Predictor& predictor,
+                              const std::vector<Situation>& places);
 
 /// Of a frame, and of its parts that a view can do without, for one candidate.
 struct CostParts {

@@ -27,8 +27,8 @@ std::string other_way(const std::string& what, bool left_out) {
 
 class Reasons {
 public:
-    Reasons(const PlanRequirements& requirements, const MeasuredSkies& skies, Predictor& predictor, const Plan& plan)
-        : requirements_(requirements), skies_(skies), predictor_(predictor), plan_(plan) {}
+    Reasons(const PlanRequirements& requirements, const Predictor& predictor, const Situation& place, const Plan& plan)
+        : requirements_(requirements), predictor_(predictor), place_(place), plan_(plan) {}
 
     std::vector<PlanChoice> all() {
         add_model();
@@ -116,9 +116,8 @@ private:
     }
 
     void add_passes() {
-        const auto setting = std::ranges::find(skies_.settings, plan_.setting, &MeasuredSetting::setting);
-        const auto measured =
-            predictor_.cost(*setting, situations_of(requirements_, skies_).front(), table_work(*plan_.model, plan_.air));
+        const auto setting = std::ranges::find(predictor_.skies().settings, plan_.setting, &MeasuredSetting::setting);
+        const auto measured = predictor_.cost(*setting, place_, table_work(*plan_.model, plan_.air));
         PlanRequirements whole = requirements_;
         whole.geometry = whole.light = whole.shadows = true;
         const CostParts parts = cost_of(whole, *measured);
@@ -162,8 +161,8 @@ private:
     }
 
     const PlanRequirements& requirements_;
-    const MeasuredSkies& skies_;
-    Predictor& predictor_;
+    const Predictor& predictor_;
+    const Situation& place_;
     const Plan& plan_;
     std::vector<PlanChoice> choices_;
 };
@@ -173,10 +172,11 @@ private:
 std::string with_unit(double value, const char* unit) { return with_figures(value, 3, unit); }
 std::string percent(double share) { return with_figures(100 * share, 2, "%"); }
 std::string milliseconds(double ms) { return with_figures(ms, 3, "ms"); }
+std::string times(double factor) { return with_figures(factor, 2, "times"); }
 
-std::vector<PlanChoice> choices_of(const PlanRequirements& requirements, const MeasuredSkies& skies, Predictor& predictor,
+std::vector<PlanChoice> choices_of(const PlanRequirements& requirements, const Predictor& predictor, const Situation& place,
                                    const Plan& plan) {
-    return Reasons(requirements, skies, predictor, plan).all();
+    return Reasons(requirements, predictor, place, plan).all();
 }
 
 }  // namespace aureole::detail

@@ -10,11 +10,17 @@ namespace {
 
 constexpr double nugget = 1e-9;  // two points in one place do no harm
 
-double dot(std::span<const double> a, std::span<const double> b) {
-    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-}
-
 }  // namespace
+
+// Four sums side by side: none waits for the addition before it.
+double dot(std::span<const double> a, std::span<const double> b) {
+    double sums[4] = {0, 0, 0, 0};
+    const std::size_t fours = a.size() / 4 * 4;
+    for (std::size_t i = 0; i < fours; i += 4)
+        for (std::size_t k = 0; k < 4; ++k) sums[k] += a[i + k] * b[i + k];
+    for (std::size_t i = fours; i < a.size(); ++i) sums[0] += a[i] * b[i];
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
 
 double covariance(const Situation& a, const Situation& b, const Situation& lengths) {
     double square = 0;
@@ -51,6 +57,7 @@ std::vector<double> Kriging::solve(std::vector<double> x) const {
 
 Kriging::Weights Kriging::at(const Situation& place) const {
     std::vector<double> near;
+    near.reserve(points_.size());
     for (const Situation& point : points_) near.push_back(covariance(point, place, lengths_));
     Weights result{solve(near), 0};
     const double known = dot(near, result.of_points);
@@ -68,12 +75,18 @@ std::vector<double> Kriging::left_out_residuals(std::span<const double> values, 
     return result;
 }
 
+// The inverse's diagonal is that of L^-T L^-1: of each column of L^-1, which begins at its own row, the sum of squares.
 std::vector<double> Kriging::left_out_variances() const {
-    std::vector<double> result(points_.size());
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        std::vector<double> unit(result.size(), 0.0);
-        unit[i] = 1;
-        result[i] = 1 / (solve(std::move(unit))[i] - ones_[i] * ones_[i] / sum_of_ones_);
+    const std::size_t n = points_.size();
+    std::vector<double> result(n), column(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        column[i] = 1 / factor_[i * n + i];
+        for (std::size_t k = i + 1; k < n; ++k) {
+            const std::span row(&factor_[k * n + i], k - i);
+            column[k] = -dot(row, std::span(column).subspan(i, k - i)) / factor_[k * n + k];
+        }
+        const auto own = std::span(column).subspan(i);
+        result[i] = 1 / (dot(own, own) - ones_[i] * ones_[i] / sum_of_ones_);
     }
     return result;
 }

@@ -12,10 +12,12 @@ namespace aureole::detail {
 
 /// exp(-|a - b|), each axis measured in its length.
 [[nodiscard]] double covariance(const Situation& a, const Situation& b, const Situation& lengths);
+/// Sum of products of two lists of one length.
+[[nodiscard]] double dot(std::span<const double> a, std::span<const double> b);
 
 class Kriging {
 public:
-    /// At least one point. Lengths are above 0.
+    /// At least one point. Lengths are above 0. Takes as long as the cube of their number; what follows, its square.
     Kriging(std::vector<Situation> points, const Situation& lengths);
 
     struct Weights {

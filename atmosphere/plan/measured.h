@@ -7,6 +7,7 @@
 
 #include <aureole/setting.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -22,6 +23,11 @@ struct MeasuredError {
     double spread = 0;  ///< Of the logarithm: root of the variance that Kriging's variances are shares of.
     std::vector<std::int16_t> by_scene;
 
+    /// As it was measured; none where it was not.
+    [[nodiscard]] std::optional<double> in(std::size_t scene) const {
+        if (by_scene[scene] == unknown) return {};
+        return std::exp(by_scene[scene] / 1000.0);
+    }
     [[nodiscard]] static std::int16_t pack(double error) {
         return static_cast<std::int16_t>(std::lround(1000 * std::log(std::min(std::max(error, 1e-9), 1e9))));
     }
@@ -50,8 +56,11 @@ struct MeasuredCost {
 struct MeasuredSetting {
     Setting setting;
     MeasuredError sky_median, sky_p95, aerial_p95;
+    MeasuredError light;  ///< For a host's materials: of the sky's illuminance or of the sun's colour, whichever errs more.
     std::vector<MeasuredCost> by_air;
 };
+inline constexpr std::array measured_errors{&MeasuredSetting::sky_median, &MeasuredSetting::sky_p95,
+                                            &MeasuredSetting::aerial_p95, &MeasuredSetting::light};
 
 struct MeasuredScene {
     std::string id;

@@ -1,10 +1,11 @@
 #include "plan/candidates.h"
 #include "plan/choices.h"
+#include "plan/keep.h"
 
 #include "common/check.h"
 
 #include <algorithm>
-#include <numeric>
+#include <functional>
 #include <utility>
 
 namespace aureole {
@@ -12,15 +13,19 @@ namespace {
 
 using namespace detail;
 
-constexpr std::size_t nearest_named = 3;
-
 void check_range(const std::string& field, const PlanRange& range, double low, double high) {
     check(field + ".least", range.least, low, high);
     check(field + ".most", range.most, range.least, high);
 }
 
-const MeasuredSkies& skies_for(const PlanRequirements& requirements) {
-    return requirements.wavelengths ? measured_in_wavelengths() : measured_in_rgb();
+/// Made once, when the first plan of its kind is.
+const Predictor& predictor_for(const PlanRequirements& requirements) {
+    if (requirements.wavelengths) {
+        static const Predictor of_wavelengths(measured_in_wavelengths());
+        return of_wavelengths;
+    }
+    static const Predictor of_rgb(measured_in_rgb());
+    return of_rgb;
 }
 
 /// What the view makes is what is needed.
@@ -41,16 +46,6 @@ std::vector<PlanCandidate> by_cost(std::vector<PlanCandidate> candidates) {
         return a.cost.charged_ms < b.cost.charged_ms;
     });
     return candidates;
-}
-
-/// The place that is least like any that was measured.
-Predictor::Nearest farthest(Predictor& predictor, const std::vector<Situation>& places) {
-    Predictor::Nearest worst = predictor.nearest(places.front(), nearest_named);
-    for (const Situation& place : places) {
-        Predictor::Nearest here = predictor.nearest(place, nearest_named);
-        if (here.distance > worst.distance) worst = std::move(here);
-    }
-    return worst;
 }
 
 }  // namespace
@@ -75,31 +70,78 @@ void validate(const PlanRequirements& r) {
         reject("tolerance", "nothing", "a tolerance, or a budget in milliseconds or MiB");
 }
 
-Plan plan(const PlanRequirements& requirements) {
+namespace {
+
+/// Which of the candidates is taken, given the one that plan() takes.
+using Take = std::function<const PlanCandidate&(const std::vector<PlanCandidate>&, const PlanCandidate& best)>;
+
+Plan make_plan(const PlanRequirements& requirements, const Take& take) {
     validate(requirements);
-    const MeasuredSkies& skies = skies_for(requirements);
-    Predictor predictor(skies);
+    const Predictor& predictor = predictor_for(requirements);
+    const std::vector<Situation> places = situations_of(requirements, predictor.skies());
+    Outlook seen = outlook(requirements, predictor, places);
     Plan plan;
-    plan.candidates = by_cost(candidates_of(requirements, skies, predictor));
+    plan.candidates = by_cost(std::move(seen.candidates));
     if (plan.candidates.empty() || !plan.candidates.front().excluded.empty())
         throw Error(ErrorCode::unsupported, requirements.wavelengths ? "wavelengths" : "air",
-                    requirements.wavelengths ? "true" : "of these terms", "what settings were measured for");
+                    requirements.wavelengths ? "true" : "of these terms",
+                    "what a setting was measured for; none can be taken: " + exclusions(plan.candidates));
     const PlanCandidate& best = plan.candidates[best_of(requirements, plan.candidates)];
-    plan.setting = best.setting;
-    plan.error = best.error;
-    plan.cost = best.cost;
-    plan.tolerable = best.tolerable;
-    Prepared prepared = prepare(best.setting, requirements.air).value();
+    const PlanCandidate& taken = take(plan.candidates, best);
+    plan.setting = taken.setting;
+    plan.error = taken.error;
+    plan.cost = taken.cost;
+    plan.tolerable = taken.tolerable;
+    Prepared prepared = prepare(taken.setting, requirements.air).value();
     plan.air = std::move(prepared.air);
     plan.model = std::move(prepared.model);
     plan.view = view_for(requirements);
-    const Predictor::Nearest near = farthest(predictor, situations_of(requirements, skies));
-    for (const std::size_t scene : near.scenes) plan.nearest.push_back(skies.scenes[scene].id);
-    plan.distance = near.distance;
-    plan.measured_on = skies.device;
-    plan.choices = choices_of(requirements, skies, predictor, plan);
+    for (const std::size_t scene : seen.nearest) plan.nearest.push_back(predictor.skies().scenes[scene].id);
+    plan.distance = seen.distance;
+    plan.measured_on = predictor.skies().device;
+    plan.speed = requirements.speed;
+    plan.warnings = warnings_of(requirements, plan);
+    plan.choices = choices_of(requirements, predictor, places.front(), plan);
+    if (!(taken.setting == best.setting))
+        plan.choices.front().reason = "in use, and good enough; " + best.setting.id() + " would take " +
+                                      milliseconds(best.cost.charged_ms) + " in place of " +
+                                      milliseconds(taken.cost.charged_ms);
     return plan;
 }
+
+/// Not excluded; else `otherwise`.
+const PlanCandidate& find(const std::vector<PlanCandidate>& candidates, const Setting& setting,
+                          const PlanCandidate& otherwise) {
+    const auto found = std::ranges::find(candidates, setting, &PlanCandidate::setting);
+    return found == candidates.end() || !found->excluded.empty() ? otherwise : *found;
+}
+
+}  // namespace
+
+Plan plan(const PlanRequirements& requirements) {
+    return make_plan(requirements, [](const auto&, const PlanCandidate& best) -> const PlanCandidate& { return best; });
+}
+
+namespace detail {
+
+Plan plan_keeping(const PlanRequirements& requirements, const Setting& incumbent) {
+    return make_plan(requirements, [&](const auto& candidates, const PlanCandidate& best) -> const PlanCandidate& {
+        constexpr double worth = 1.1;  // what is better by less is not worth a change
+        const PlanCandidate& there = find(candidates, incumbent, best);
+        const bool as_cheap = there.cost.charged_ms <= worth * best.cost.charged_ms;
+        const bool by_error = !requirements.tolerance || !best.tolerable;
+        const bool as_right = !by_error || there.error.bound <= worth * best.error.bound;
+        return there.tolerable == best.tolerable && as_cheap && as_right ? there : best;
+    });
+}
+
+Plan plan_of(const PlanRequirements& requirements, const Setting& setting) {
+    return make_plan(requirements, [&](const auto& candidates, const PlanCandidate& best) -> const PlanCandidate& {
+        return find(candidates, setting, best);
+    });
+}
+
+}  // namespace detail
 
 Setting speed_setting() { return {}; }
 

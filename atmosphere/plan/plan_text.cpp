@@ -34,14 +34,18 @@ std::string Plan::text() const {
     std::string text = "plan: " + setting.id() + (tolerable ? "" : " (does NOT meet the requirements)") + "\n";
     text += "error of radiance: median " + percent(error.median) + ", 95th percentile " + percent(error.p95) + ", below " +
             percent(error.bound) + " in 95 cases of 100\n";
+    if (error.light > 0) text += "error of light for materials: " + percent(error.light) + ", below the same bound\n";
     text += "cost: " + milliseconds(cost.frame_ms) + " a frame, " + milliseconds(cost.rebuild_ms) + " a rebuild of the air, " +
             detail::with_unit(cost.mebibytes, "MiB") + " of tables\n";
     for (const PlanChoice& choice : choices) text += "  " + choice.what + ": " + choice.chosen + " (" + choice.reason + ")\n";
     text += neighbours(*this);
     text += "by the measured scenes";
     for (std::size_t i = 0; i < nearest.size(); ++i) text += (i == 0 ? " " : ", ") + nearest[i];
-    text += distance > 1 ? ": FAR from all of them, so the bound need not hold\n" : "\n";
-    text += "costs as on " + measured_on + ", or as calibrated\n";
+    text += "\ncosts as on " + measured_on;
+    text += speed == DeviceSpeed{} ? ", not calibrated for another device\n"
+                                   : ", calibrated: composites take " + detail::times(speed.composite) + ", tables " +
+                                         detail::times(speed.tables) + " as long\n";
+    for (const std::string& warning : warnings) text += "warning: " + warning + "\n";
     return text;
 }
 

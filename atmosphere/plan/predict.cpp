@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -16,16 +17,16 @@ struct CostOfWork {
 
     [[nodiscard]] double work_in(const TableWork& all) const { return work != nullptr ? all.*work : 1; }
 };
-constexpr std::array<CostOfWork, 13> costs{{{&MeasuredCost::composite_ms},
-                                            {&MeasuredCost::composite_geometry_ms},
+constexpr std::array<CostOfWork, 13> costs{{{&MeasuredCost::composite_ms, &TableWork::composite},
+                                            {&MeasuredCost::composite_geometry_ms, &TableWork::composite},
                                             {&MeasuredCost::view_ms, &TableWork::view},
                                             {&MeasuredCost::aerial_perspective_ms, &TableWork::view},
-                                            {&MeasuredCost::light_ms},
+                                            {&MeasuredCost::light_ms, &TableWork::light},
                                             {&MeasuredCost::rebuild_ms, &TableWork::rebuild},
                                             {&MeasuredCost::air_mib, &TableWork::air_memory},
                                             {&MeasuredCost::view_mib, &TableWork::view_memory},
                                             {&MeasuredCost::aerial_perspective_mib, &TableWork::aerial_perspective_memory},
-                                            {&MeasuredCost::composite_sun_ms},
+                                            {&MeasuredCost::composite_sun_ms, &TableWork::composite},
                                             {&MeasuredCost::shadows_ms},
                                             {&MeasuredCost::composite_shadows_ms},
                                             {&MeasuredCost::shadows_mib, &TableWork::view_memory}}};
@@ -33,8 +34,15 @@ constexpr double least_cost = 1e-12;  // by work, of what takes no time at all
 
 /// The air alone.
 Situation at_rest(Situation situation) {
-    std::fill_n(situation.begin(), 3, 0.0);
+    std::fill_n(situation.begin(), axis_of_space + 1, 0.0);
     return situation;
+}
+
+/// In units of their axes.
+double distance_between(const Situation& a, const Situation& b) {
+    double square = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) square += (a[i] - b[i]) * (a[i] - b[i]);
+    return std::sqrt(square);
 }
 
 }  // namespace
@@ -45,63 +53,97 @@ Predictor::Predictor(const MeasuredSkies& skies, std::vector<std::size_t> scenes
         std::iota(scenes_.begin(), scenes_.end(), std::size_t{0});
     }
     airs_.resize(skies.airs.size());
-    for (const MeasuredScene& scene : skies.scenes) airs_[scene.air] = at_rest(scene.situation);
-}
-
-Predictor::Known& Predictor::known(std::vector<std::size_t> points, bool airs, const Situation& place) {
-    const auto key = std::pair(airs, points);
-    auto found = known_.find(key);
-    if (found == known_.end()) {
-        std::vector<Situation> places;
-        for (const std::size_t i : points) places.push_back(airs ? airs_[i] : skies_.scenes[i].situation);
-        found = known_.emplace(key, Known{std::move(points), Kriging(std::move(places), skies_.lengths), {}, {}}).first;
+    for (const std::size_t i : scenes_) airs_[skies.scenes[i].air] = at_rest(skies.scenes[i].situation);
+    if (scenes_.empty()) return;
+    Index index;
+    all_ = family_of(index, scenes_, false);
+    std::vector<double> variances = families_[all_].kriging.left_out_variances();
+    std::ranges::sort(variances);
+    lonely_ = variances[(variances.size() - 1) * 9 / 10];
+    for (const MeasuredSetting& setting : skies.settings) {
+        for (const auto error : measured_errors) learn(index, setting.*error);
+        knows_light_ |= errors_.contains(&setting.light);
+        learn(index, setting);
     }
-    Known& known = found->second;
-    if (!known.weights || known.place != place) known.weights = known.kriging.at(place);
-    known.place = place;
-    return known;
 }
 
-std::optional<PredictedError> Predictor::predict(const MeasuredError& error, const Situation& place) {
+std::size_t Predictor::family_of(Index& index, std::vector<std::size_t> points, bool airs) {
+    const auto [found, is_new] = index.try_emplace({airs, points}, families_.size());
+    if (!is_new) return found->second;
+    std::vector<Situation> places;
+    for (const std::size_t i : points) places.push_back(airs ? *airs_[i] : skies_.scenes[i].situation);
+    families_.push_back({std::move(points), Kriging(std::move(places), skies_.lengths)});
+    return found->second;
+}
+
+void Predictor::learn(Index& index, const MeasuredError& error) {
     std::vector<std::size_t> points;
-    for (const std::size_t i : scenes_)
-        if (error.by_scene[i] != MeasuredError::unknown) points.push_back(i);
-    if (points.size() < fewest_scenes) return {};
-    const Known& from = known(std::move(points), false, place);
-    double logarithm = 0;
-    for (std::size_t k = 0; k < from.points.size(); ++k)
-        logarithm += from.weights->of_points[k] * error.by_scene[from.points[k]] / 1000;
-    return PredictedError{std::exp(logarithm),
-                          std::exp(logarithm + skies_.margin * error.spread * std::sqrt(from.weights->variance))};
+    Known known;
+    for (const std::size_t i : scenes_) {
+        if (error.by_scene[i] == MeasuredError::unknown) continue;
+        points.push_back(i);
+        known.logarithms.push_back(error.by_scene[i] / 1000.0);
+    }
+    if (points.size() < fewest_scenes) return;
+    known.family = family_of(index, std::move(points), false);
+    errors_.emplace(&error, std::move(known));
 }
 
-std::optional<MeasuredCost> Predictor::cost(const MeasuredSetting& setting, const Situation& place, const TableWork& work) {
+void Predictor::learn(Index& index, const MeasuredSetting& setting) {
     std::vector<std::size_t> points;
     for (std::size_t air = 0; air < setting.by_air.size(); ++air)
-        if (setting.by_air[air].air_mib > 0) points.push_back(air);
-    if (points.empty()) return {};
-    const Known& from = known(std::move(points), true, at_rest(place));
+        if (airs_[air] && setting.by_air[air].air_mib > 0) points.push_back(air);
+    if (!points.empty()) costs_.emplace(&setting, family_of(index, std::move(points), true));
+}
+
+const Kriging::Weights& Predictor::Here::weights(std::size_t family) {
+    if (!weights_[family]) weights_[family] = from_.families_[family].kriging.at(place_);
+    return *weights_[family];
+}
+
+std::optional<PredictedError> Predictor::Here::predict(const MeasuredError& error) {
+    const auto known = from_.errors_.find(&error);
+    if (known == from_.errors_.end()) return {};
+    const Kriging::Weights& weighed = weights(known->second.family);
+    const double logarithm = dot(weighed.of_points, known->second.logarithms);
+    return PredictedError{std::exp(logarithm),
+                          std::exp(logarithm + from_.skies_.margin * error.spread * std::sqrt(weighed.variance))};
+}
+
+double Predictor::Here::distance() {
+    const Situation air = at_rest(place_);
+    double apart = std::numeric_limits<double>::infinity();
+    for (const std::optional<Situation>& known : from_.airs_)
+        if (known) apart = std::min(apart, distance_between(air, *known));
+    return std::max(std::sqrt(weights(from_.all_).variance / from_.lonely_), apart);
+}
+
+std::vector<std::size_t> Predictor::Here::nearest(std::size_t most) const {
+    std::vector<std::pair<double, std::size_t>> unlike;
+    for (const std::size_t i : from_.scenes_)
+        unlike.emplace_back(-covariance(from_.skies_.scenes[i].situation, place_, from_.skies_.lengths), i);
+    std::ranges::sort(unlike);
+    std::vector<std::size_t> result;
+    for (std::size_t k = 0; k < std::min(unlike.size(), most); ++k) result.push_back(unlike[k].second);
+    return result;
+}
+
+std::optional<MeasuredCost> Predictor::cost(const MeasuredSetting& setting, const Situation& place,
+                                            const TableWork& work) const {
+    const auto family = costs_.find(&setting);
+    if (family == costs_.end()) return {};
+    const Family& from = families_[family->second];
+    const Kriging::Weights weights = from.kriging.at(at_rest(place));
     MeasuredCost result;
     result.work = work;
     for (const CostOfWork& one : costs) {
         double logarithm = 0;
         for (std::size_t k = 0; k < from.points.size(); ++k) {
             const MeasuredCost& known_here = setting.by_air[from.points[k]];
-            logarithm +=
-                from.weights->of_points[k] * std::log(known_here.*one.cost / one.work_in(known_here.work) + least_cost);
+            logarithm += weights.of_points[k] * std::log(known_here.*one.cost / one.work_in(known_here.work) + least_cost);
         }
         result.*one.cost = std::max(std::exp(logarithm) - least_cost, 0.0) * one.work_in(work);
     }
-    return result;
-}
-
-Predictor::Nearest Predictor::nearest(const Situation& place, std::size_t most) {
-    const Known& all = known(scenes_, false, place);
-    if (loneliest_ == 0) loneliest_ = std::ranges::max(all.kriging.left_out_variances());
-    Nearest result{scenes_, std::sqrt(all.weights->variance / loneliest_)};
-    const auto near = [&](std::size_t i) { return covariance(skies_.scenes[i].situation, place, skies_.lengths); };
-    std::ranges::sort(result.scenes, std::ranges::greater(), near);
-    result.scenes.resize(std::min(result.scenes.size(), most));
     return result;
 }
 

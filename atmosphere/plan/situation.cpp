@@ -46,9 +46,9 @@ AirCoordinates::AirCoordinates(const AtmosphereParameters& parameters)
 Situation AirCoordinates::at(double sun_elevation_deg, double altitude_m) const {
     Situation result = air_;
     const double altitude = std::max(altitude_m, 0.0);
-    result[0] = sun_axis(sun_elevation_deg);
-    result[1] = std::min(altitude / scale_height_m_, 8.0);
-    result[2] = std::log1p(20 * std::max(altitude - thickness_m_, 0.0) / radius_m_);
+    result[axis_of_sun] = sun_axis(sun_elevation_deg);
+    result[axis_of_altitude] = std::min(altitude / scale_height_m_, 8.0);
+    result[axis_of_space] = std::log1p(20 * std::max(altitude - thickness_m_, 0.0) / radius_m_);
     return result;
 }
 

@@ -23,6 +23,7 @@ inline constexpr std::array<std::string_view, 10> situation_axes{
     "curvature",    // ln(scale height / radius of the planet)
 };
 using Situation = std::array<double, situation_axes.size()>;
+inline constexpr std::size_t axis_of_sun = 0, axis_of_altitude = 1, axis_of_space = 2;  // the others are the air's
 
 /// What is the same wherever one stands in an air; made once an air.
 class AirCoordinates {

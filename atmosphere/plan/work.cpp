@@ -5,6 +5,8 @@
 #include "multi_scatter/order_ratio.h"
 #include "sky_view/sky_view.h"
 
+#include <algorithm>
+
 namespace aureole::detail {
 namespace {
 
@@ -12,8 +14,22 @@ namespace {
 // to 45 then take the same time a unit, within 15 % (plan.md).
 constexpr double node_of_air = 4, node_of_view = 9.5;
 constexpr double tabulated_profile = 1;  // more, for each
+// A node of a column through one exponential term, in the same unit; of a tent's two parts, and of a table's eight
+// (column.glsl), so many times more: as measured likewise.
+constexpr double node_of_column = 1.4, column_of_tent = 3.2, column_of_table = 8;
 
 double texels(const rhi::Extent& e) { return double(e.width) * e.height * e.depth; }
+
+/// What a column through all terms takes, beside one through an exponential one.
+double column_work(const AirStructure& air) {
+    constexpr int exponential = 0, tent = 1;  // medium.glsl
+    double work = 0;
+    for (int term = 0; term < air.term_count; ++term) {
+        const int kind = air.term_kinds >> 2 * term & 3;
+        work += kind == exponential ? 1 : kind == tent ? column_of_tent : column_of_table;
+    }
+    return std::max(work, 1.0);
+}
 
 /// Of `aureole`, pass by pass as MultiScatterPass records them.
 class MultiScatterWork {
@@ -50,6 +66,13 @@ TableWork table_work(const Model& model, const AtmosphereParameters& air) {
     const double layers = layers_with_sharp_phases(packed.structure);
     work.view_memory = layers;
     work.aerial_perspective_memory = layers + 1;  // and transmittance
+    const double column = column_work(packed.structure);
+    if (model.name() == "fog") work.composite = work.light = column;
+    if (model.name() == "single") {
+        work.light = column;
+        (model.tables_for(air).empty() ? work.composite : work.view) = column;  // the table of `low` is its dome
+    }
+    if (model.name() == "single-lut") work.rebuild = column;
     if (model.name() != "aureole") return work;
     const QualitySettings quality = model.quality_for(air);
     const auto profile_texels = static_cast<double>(packed.profile_table.size());
@@ -57,7 +80,7 @@ TableWork table_work(const Model& model, const AtmosphereParameters& air) {
     const MultiScatterWork multi_scatter(quality, air, node);
     const double transmittance = texels(quality.transmittance);
     const double share = quality.table_format == rhi::Format::rgba16_float ? 0.5 : 1;  // of rgba32_float's bytes
-    work.rebuild = transmittance * quality.transmittance_nodes * node + multi_scatter.reads();
+    work.rebuild = transmittance * quality.transmittance_nodes * node_of_column * column + multi_scatter.reads();
     work.view = node_of_view + multi_scatter.moments();
     work.air_memory = share * transmittance + multi_scatter.memory() + profile_texels / 4;
     return work;

@@ -11,6 +11,8 @@ struct TableWork {
                          ///< directions looked into where phase functions are sharp.
     double view = 1;     ///< Tables of the camera: every node along a ray adds up those moments.
     double air_memory = 1, view_memory = 1, aerial_perspective_memory = 1;
+    double composite = 1,
+           light = 1;  ///< Columns of air are integrated for every pixel, or direction, by models without tables.
     [[nodiscard]] bool operator==(const TableWork&) const = default;
 };
 

@@ -1,7 +1,8 @@
 #include "composite/composite.h"
 #include "module/requirements.h"
-#include "plan/axes.h"
+#include "plan/keep.h"
 #include "planned_sky/crossfade.h"
+#include "planned_sky/place.h"
 #include "shadows/shadows.h"
 
 #include "common/check.h"
@@ -12,8 +13,6 @@
 #include <spdlog/logger.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -29,52 +28,6 @@ void check_follow(const FollowSettings& follow, bool shadows) {
     if (!shadows) return;
     check("follow.shadows.cascades", follow.shadows.cascades, 1, ShadowSettings::max_cascades);
     detail::validate(follow.shadows);
-}
-
-/// Where sun and camera are, on the scales of plan/axes.h.
-struct Place {
-    double sun = 0, altitude = 0;
-};
-
-/// Without suns, `before`'s: night changes nothing.
-Place place_of(const Planet& planet, const Camera& camera, std::span<const Sun> suns, const Place& before) {
-    const double distance = glm::length(camera.position_m);
-    const glm::dvec3 up = distance > 0 ? camera.position_m / distance : glm::dvec3(0, 0, 1);
-    Place place{before.sun, altitude_axis(std::max(distance - planet.bottom_radius_m, -1e4), planet)};
-    if (suns.empty()) return place;
-    const auto light = [](const Sun& sun) { return sun.irradiance.r + sun.irradiance.g + sun.irradiance.b; };
-    const Sun& brightest = *std::ranges::max_element(suns, {}, light);
-    const double sine = std::clamp(glm::dot(up, glm::normalize(brightest.direction)), -1.0, 1.0);
-    place.sun = sun_axis(std::asin(sine) * 180 / std::numbers::pi);
-    return place;
-}
-
-bool within(double value, double middle, double margin) { return std::abs(value - middle) <= margin; }
-
-/// The part of a range that is within `margin` of a place on its axis, or the place itself where it is outside.
-template <class ToAxis, class FromAxis>
-PlanRange around(PlanRange range, double place, double margin, const ToAxis& to_axis, const FromAxis& from_axis) {
-    const double least = to_axis(range.least), most = to_axis(range.most);
-    const double low = std::max(place - margin, std::min(least, place)), high = std::min(place + margin, std::max(most, place));
-    const auto back = [&](double on_axis) {
-        if (on_axis == least) return range.least;
-        return on_axis == most ? range.most : from_axis(on_axis);
-    };
-    return {back(low), back(high)};
-}
-
-PlanRequirements near(const PlanRequirements& needs, const Place& place, double margin) {
-    const Planet& planet = needs.air.planet;
-    PlanRequirements part = needs;
-    part.sun_elevation_deg = around(needs.sun_elevation_deg, place.sun, margin, sun_axis, elevation_of);
-    part.sun_elevation_deg.least = std::max(part.sun_elevation_deg.least, -90.0);
-    part.sun_elevation_deg.most = std::clamp(part.sun_elevation_deg.most, part.sun_elevation_deg.least, 90.0);
-    part.altitude_m = around(
-        needs.altitude_m, place.altitude, margin, [&](double m) { return altitude_axis(m, planet); },
-        [&](double on_axis) { return altitude_of(on_axis, planet); });
-    part.altitude_m.least = std::clamp(part.altitude_m.least, -1e4, 1e12);
-    part.altitude_m.most = std::clamp(part.altitude_m.most, part.altitude_m.least, 1e12);
-    return part;
 }
 
 /// A plan, and what draws it.
@@ -148,16 +101,31 @@ struct PlannedSky::Impl {
         result.faded = faded + (next && next->ready && shown_since ? 1 : 0);
         result.promoted = next && next->ready && result.faded >= follow.fade_frames && shown_since;
         Sky* stays = result.promoted ? next.get() : current.get();
-        const bool here =
-            within(place.sun, planned_at.sun, follow.margin) && within(place.altitude, planned_at.altitude, follow.margin);
+        const bool here = near(place, planned_at, follow.margin);
         if (stays != nullptr && (next || (here && !redo))) return result;
-        // Twice as wide as it is left: it holds while the next one is made ready.
-        result.plan = aureole::plan(near(needs, place, 2 * follow.margin));
+        result.plan = plan_for(place, stays);
         result.update.planned = true;
         if (stays != nullptr) result.update.changes = differences(stays->plan, result.plan);
         if (stays == nullptr || !(result.plan.setting == stays->plan.setting))
             result.sky = std::make_unique<Sky>(device, result.plan, composite, follow.shadows, frame);
         return result;
+    }
+
+    /// Twice as wide as it is left: it holds while the next one is made ready. What there is stays while it is good enough, and
+    /// as cheap within a tenth. Something cheaper must hold four margins around, so that what wobbles about a boundary by
+    /// two does not go to and fro.
+    [[nodiscard]] Plan plan_for(const Place& place, const Sky* stays) const {
+        const PlanRequirements part = around(needs, place, 2 * follow.margin);
+        if (stays == nullptr) return aureole::plan(part);
+        const Setting& incumbent = stays->plan.setting;
+        Plan found = plan_keeping(part, incumbent);
+        if (found.setting == incumbent || !meets(found, incumbent)) return found;
+        const Plan wider = aureole::plan(around(needs, place, 4 * follow.margin));
+        return meets(wider, found.setting) ? found : plan_of(part, incumbent);
+    }
+    [[nodiscard]] static bool meets(const Plan& plan, const Setting& setting) {
+        const auto found = std::ranges::find(plan.candidates, setting, &PlanCandidate::setting);
+        return found != plan.candidates.end() && found->tolerable;
     }
 
     /// Everything of the device that it takes. May throw; what is left then does no harm.

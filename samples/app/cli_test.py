@@ -426,6 +426,26 @@ def check_plan():
     expect('aerial perspective: recorded' in scene, f'plan of a scene with terrain: {scene}')
     dusk = works('plan', SCENES / 'golden_hour.toml', '--tolerance', '20%')
     expect('4 wavelengths' in dusk.splitlines()[0] or '4' in dusk.splitlines()[0].split(), f'plan in wavelengths: {dusk}')
+    clear, hazy = (works('plan', 'earth', '--visibility', far, '--tolerance', '5%', '--list') for far in ('166.45km', '20000m'))
+    expect(clear.splitlines()[0] == works('plan', 'earth', '--tolerance', '5%').splitlines()[0] and clear != hazy,
+           f'plan: visibility {clear} {hazy}')
+    for wrong in ('10', 'far', '10 miles', 'nankm'):
+        fails('a distance with its unit, as 10km', 'plan', 'earth', '--visibility', wrong, '--tolerance', '5%')
+    fails('visibility_m: 500 is not allowed; allowed: in [1000, 220000]', 'plan', 'earth', '--visibility', '0.5km', '--tolerance', '5%')
+    fails('--visibility: of mars is not allowed', 'plan', 'mars', '--visibility', '10km', '--tolerance', '5%')
+    out = works('plan', 'earth', '--budget', '100ms')
+    expect('warning: the budget in milliseconds is judged by the speed of' in out and 'not calibrated' in out, f'plan: {out}')
+    expect('warning' not in same, f'plan: nothing to warn of: {same}')
+    out = works('plan', 'earth', '--tolerance', '5%', '--geometry', 250)
+    expect('warning: geometry up to 250 km away is FAR' in out, f'plan: far geometry {out}')
+    for wrong in ('nan', 'inf', '-1'):
+        fails('kilometres, 0 or more', 'plan', 'earth', '--tolerance', '5%', f'--geometry={wrong}')
+    fails('--budget: a second one in ms is not allowed; allowed: one in ms, and one in MiB', 'plan', 'earth', '--budget', '1ms', '2ms')
+    for wrong in ('2', '1.01', 'nan', 'inf%'):
+        fails('a share up to 1 as 0.02, or a percentage as 2%', 'plan', 'earth', '--tolerance', wrong)
+    for wrong in ('nan', 'inf:3', '2:nan'):
+        fails('--sun-elevation', 'plan', 'earth', '--tolerance', '5%', '--sun-elevation', wrong)
+    works('plan', 'earth', '--tolerance', '200%')
     out = works('plan', 'mars', '--tolerance', '0.01%')
     expect('does NOT meet the requirements' in out, f'plan that cannot be: {out}')
     if not QUICK:

@@ -15,6 +15,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 
 namespace aureole::app {
 namespace {
@@ -24,7 +25,7 @@ using nlohmann::json;
 constexpr std::uint32_t measured_rounds = 10;
 
 struct PlanCommand {
-    std::string scene, tolerance, sun, altitude, size;
+    std::string scene, tolerance, sun, altitude, size, visibility;
     std::vector<std::string> budgets;
     std::optional<double> geometry_km, rebuilds;
     std::optional<std::uint32_t> suns, views;
@@ -38,6 +39,7 @@ std::pair<double, std::string> number_and_unit(const std::string& option, const 
     std::size_t used = 0;
     try {
         const double value = std::stod(text, &used);
+        if (!std::isfinite(value)) throw std::invalid_argument(text);
         std::string unit = text.substr(used);
         unit.erase(0, unit.find_first_not_of(' ') == std::string::npos ? unit.size() : unit.find_first_not_of(' '));
         return {value, unit};
@@ -47,9 +49,10 @@ std::pair<double, std::string> number_and_unit(const std::string& option, const 
 }
 
 double parse_tolerance(const std::string& text) {
-    constexpr const char* allowed = "a share as 0.02, or a percentage as 2%";
+    constexpr const char* allowed = "a share up to 1 as 0.02, or a percentage as 2%";
     const auto [value, unit] = number_and_unit("--tolerance", text, allowed);
-    if (!unit.empty() && unit != "%") throw Error(ErrorCode::invalid_argument, "--tolerance", "\"" + text + "\"", allowed);
+    const bool share = unit.empty() && value <= 1;  // 2 is more likely to be meant as 2 %
+    if (!share && unit != "%") throw Error(ErrorCode::invalid_argument, "--tolerance", "\"" + text + "\"", allowed);
     return unit.empty() ? value : value / 100;
 }
 
@@ -57,7 +60,17 @@ void parse_budget(const std::string& text, PlanRequirements& needs) {
     constexpr const char* allowed = "milliseconds of a frame as 1ms, or memory as 2MiB";
     const auto [value, unit] = number_and_unit("--budget", text, allowed);
     if (unit != "ms" && unit != "MiB") throw Error(ErrorCode::invalid_argument, "--budget", "\"" + text + "\"", allowed);
-    (unit == "ms" ? needs.budget_ms : needs.budget_mib) = value;
+    std::optional<double>& budget = unit == "ms" ? needs.budget_ms : needs.budget_mib;
+    if (budget) throw Error(ErrorCode::invalid_argument, "--budget", "a second one in " + unit, "one in ms, and one in MiB");
+    budget = value;
+}
+
+/// Metres.
+double parse_visibility(const std::string& text) {
+    constexpr const char* allowed = "a distance with its unit, as 10km or 5000m";
+    const auto [value, unit] = number_and_unit("--visibility", text, allowed);
+    if (unit != "km" && unit != "m") throw Error(ErrorCode::invalid_argument, "--visibility", "\"" + text + "\"", allowed);
+    return unit == "km" ? 1000 * value : value;
 }
 
 /// "-6:60", or one number.
@@ -98,10 +111,15 @@ PlanRequirements requirements_of(const PlanCommand& command) {
         needs.air = presets::by_name(command.scene);
     else
         needs = of_scene(read_scene(command.scene));
+    if (!command.visibility.empty()) {
+        if (command.scene != "earth")
+            throw Error(ErrorCode::invalid_argument, "--visibility", "of " + command.scene, "the preset earth, as SCENE");
+        needs.air = presets::earth_with_visibility(parse_visibility(command.visibility));
+    }
     if (!command.sun.empty()) needs.sun_elevation_deg = parse_range("--sun-elevation", command.sun);
     if (!command.altitude.empty()) needs.altitude_m = parse_range("--altitude", command.altitude);
     if (command.geometry_km) {
-        if (*command.geometry_km < 0)
+        if (!(*command.geometry_km >= 0) || !std::isfinite(*command.geometry_km))
             throw Error(ErrorCode::invalid_argument, "--geometry", print_number(*command.geometry_km), "kilometres, 0 or more");
         needs.geometry = *command.geometry_km > 0;
         if (needs.geometry) needs.geometry_range_m = *command.geometry_km * 1000;
@@ -125,15 +143,16 @@ PlanRequirements requirements_of(const PlanCommand& command) {
 json to_json(const Setting& s) {
     return {{"id", s.id()}, {"model", s.model}, {"quality", s.quality}, {"spectral", s.spectral}, {"without", s.without}};
 }
-json to_json(const PlanError& e) { return {{"median", e.median}, {"p95", e.p95}, {"bound", e.bound}}; }
+json to_json(const PlanError& e) { return {{"median", e.median}, {"p95", e.p95}, {"light", e.light}, {"bound", e.bound}}; }
 json to_json(const PlanCost& c) {
     return {{"frame_ms", c.frame_ms}, {"rebuild_ms", c.rebuild_ms}, {"charged_ms", c.charged_ms}, {"mebibytes", c.mebibytes}};
 }
 
 json to_json(const Plan& plan) {
-    json out{{"setting", to_json(plan.setting)}, {"tolerable", plan.tolerable}, {"error", to_json(plan.error)},
-             {"cost", to_json(plan.cost)},       {"nearest", plan.nearest},     {"distance", plan.distance},
-             {"measured_on", plan.measured_on},  {"choices", json::array()},    {"candidates", json::array()}};
+    json out{{"setting", to_json(plan.setting)}, {"tolerable", plan.tolerable},     {"error", to_json(plan.error)},
+             {"cost", to_json(plan.cost)},       {"nearest", plan.nearest},         {"distance", plan.distance},
+             {"warnings", plan.warnings},        {"measured_on", plan.measured_on}, {"choices", json::array()},
+             {"candidates", json::array()}};
     for (const PlanChoice& choice : plan.choices) {
         json one{{"what", choice.what}, {"chosen", choice.chosen}, {"reason", choice.reason}};
         if (choice.error_otherwise) one["error_otherwise"] = *choice.error_otherwise;
@@ -224,6 +243,8 @@ void add_plan_command(CLI::App& program) {
                      "A scene file (its air, sun, camera, terrain), or one of the presets " +
                          CLI::detail::join(strings(presets::names()), ", "))
         ->required();
+    command->add_option("--visibility", options->visibility,
+                        "Of the preset earth: how far one sees, 1km to 220km (meteorological optical range), by its aerosol");
     command->add_option("--tolerance", options->tolerance,
                         "Error of radiance that 95 of 100 directions stay below: 2%, or 0.02");
     command->add_option("--budget", options->budgets, "Milliseconds of a frame as 1ms, memory of tables as 2MiB; or both")

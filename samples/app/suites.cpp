@@ -16,18 +16,23 @@ std::filesystem::path own_folder() {
 
 }  // namespace
 
-std::filesystem::path find_suite(const std::string& name) {
-    if (name.ends_with(".toml") || name.find('/') != std::string::npos) return name;
+std::vector<std::string> own_suites() {
     const std::filesystem::path folder = own_folder();
-    const std::filesystem::path file = folder / (name + ".toml");
-    if (std::filesystem::exists(file)) return std::filesystem::canonical(file);
     std::vector<std::string> names;
     if (std::filesystem::is_directory(folder))
         for (const auto& entry : std::filesystem::directory_iterator(folder))
             if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
     std::ranges::sort(names);
+    return names;
+}
+
+std::filesystem::path find_suite(const std::string& name) {
+    if (name.ends_with(".toml") || name.find('/') != std::string::npos) return name;
+    const std::filesystem::path folder = own_folder();
+    const std::filesystem::path file = folder / (name + ".toml");
+    if (std::filesystem::exists(file)) return std::filesystem::canonical(file);
     std::string known;
-    for (const std::string& one : names) known.append(one).append(", ");
+    for (const std::string& one : own_suites()) known.append(one).append(", ");
     throw Error(ErrorCode::io, "--suite", "\"" + name + "\"",
                 known + "or a file (.toml); suites are looked for in " + folder.string());
 }

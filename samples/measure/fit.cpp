@@ -1,6 +1,5 @@
 #include "measure/fit.h"
 
-#include "app/fnv.h"
 #include "app/quantile.h"
 #include "plan/predict.h"
 
@@ -42,7 +41,8 @@ struct Family {
 std::vector<Family> families(MeasuredSkies& skies, const std::vector<std::size_t>& scenes) {
     std::map<std::vector<std::size_t>, Family> by_scenes;
     for (MeasuredSetting& setting : skies.settings)
-        for (MeasuredError* error : {&setting.sky_median, &setting.sky_p95, &setting.aerial_p95}) {
+        for (const auto each : detail::measured_errors) {
+            MeasuredError* const error = &(setting.*each);
             std::vector<std::size_t> known;
             for (const std::size_t i : scenes)
                 if (error->by_scene[i] != MeasuredError::unknown) known.push_back(i);
@@ -109,44 +109,6 @@ Situation best_lengths(const std::vector<Family>& all) {
     return lengths;
 }
 
-/// A setting in a scene.
-struct Priced {
-    double milliseconds, bound, measured;
-};
-
-const Priced* cheapest_within(const std::vector<Priced>& settings, double tolerance) {
-    const Priced* best = nullptr;
-    for (const Priced& one : settings)
-        if (one.bound <= tolerance && (best == nullptr || one.milliseconds < best->milliseconds)) best = &one;
-    return best;
-}
-
-/// An error beside what was measured.
-struct Foretold {
-    double excess, off;  // Coverage::Of
-};
-
-Coverage::Of summary_of(const std::vector<Foretold>& list) {
-    if (list.empty()) return {};
-    std::vector<double> excess, off;
-    for (const Foretold& one : list) {
-        excess.push_back(one.excess);
-        off.push_back(one.off);
-    }
-    std::ranges::sort(excess);
-    std::ranges::sort(off);
-    const auto below = std::ranges::count_if(excess, [](double e) { return e >= 1; });
-    return {list.size(), static_cast<double>(below) / static_cast<double>(list.size()), quantile(excess, 0.5),
-            quantile(off, 0.5)};
-}
-
-std::uint64_t hash_of(const std::string& text, std::uint32_t seed) {
-    Fnv1a hash;
-    hash.add(seed);
-    hash.add(text);
-    return hash.value() ^ hash.value() >> 32;
-}
-
 }  // namespace
 
 void fit(MeasuredSkies& skies, const std::vector<std::size_t>& scenes) {
@@ -169,52 +131,6 @@ void fit(MeasuredSkies& skies, const std::vector<std::size_t>& scenes) {
     }
     std::ranges::sort(standardized);
     skies.margin = std::max(quantile(standardized, covered), 0.1);
-}
-
-std::vector<std::size_t> drawn_third(const MeasuredSkies& skies, std::uint32_t seed) {
-    std::vector<std::size_t> order = all_of(skies.scenes.size());
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return hash_of(skies.scenes[i].id, seed); });
-    order.resize(order.size() / 3);
-    std::ranges::sort(order);
-    return order;
-}
-
-Coverage coverage(const MeasuredSkies& skies, const std::vector<std::size_t>& held_out) {
-    MeasuredSkies fitted = skies;
-    std::vector<std::size_t> seen;
-    for (std::size_t i = 0; i < skies.scenes.size(); ++i)
-        if (!std::ranges::binary_search(held_out, i)) seen.push_back(i);
-    fit(fitted, seen);
-    detail::Predictor predictor(fitted, seen);
-    Coverage result;
-    std::vector<Foretold> of_sky, of_geometry;
-    std::size_t kept = 0;
-    for (const std::size_t i : held_out) {
-        std::vector<Priced> sky;
-        for (const MeasuredSetting& setting : fitted.settings)
-            for (const MeasuredError* error : {&setting.sky_p95, &setting.aerial_p95}) {
-                if (error->by_scene[i] == MeasuredError::unknown) continue;
-                const auto predicted = predictor.predict(*error, skies.scenes[i].situation);
-                if (!predicted) continue;
-                const double measured = std::exp(error->by_scene[i] / 1000.0);
-                (error == &setting.sky_p95 ? of_sky : of_geometry)
-                    .push_back({predicted->bound / measured, std::abs(std::log(predicted->likely / measured))});
-                const detail::MeasuredCost& cost = setting.by_air[skies.scenes[i].air];
-                if (error == &setting.sky_p95 && cost.air_mib > 0)
-                    sky.push_back({cost.composite_ms + cost.view_ms, predicted->bound, measured});
-            }
-        for (const double tolerance : {0.005, 0.01, 0.02, 0.05, 0.1, 0.2})
-            if (const Priced* chosen = cheapest_within(sky, tolerance)) {
-                ++result.choices;
-                if (chosen->measured <= tolerance) ++kept;
-            }
-    }
-    result.sky = summary_of(of_sky);
-    result.geometry = summary_of(of_geometry);
-    of_sky.insert(of_sky.end(), of_geometry.begin(), of_geometry.end());
-    result.all = summary_of(of_sky);
-    if (result.choices > 0) result.choices_kept = static_cast<double>(kept) / static_cast<double>(result.choices);
-    return result;
 }
 
 }  // namespace aureole::app

@@ -1,8 +1,10 @@
 #include "measure/fit.h"
+#include "measure/hold_out.h"
 
 #include "io/test_files.h"
 #include "plan/predict.h"
 
+#include <aureole/presets.h>
 #include <aureole/rhi/error.h>
 
 #include <doctest/doctest.h>
@@ -52,23 +54,29 @@ json measured() {
     result("b", "aureole default, without ozone", {{"all", figures(0.01, 0.02)}, {"aerial", {{"rows", 0}}}});
     result("c", "aureole default 4", {{"all", figures(0.001, 0.002)}});
     result("a", "reference default", {{"all", figures(0, 0)}});
-    out["costs"].push_back(
-        {{"air", "earth"},
-         {"setting", "fog default"},
-         {"work", {{"rebuild", 2e6}, {"view", 15}, {"air_memory", 3}, {"view_memory", 2}, {"aerial_perspective_memory", 4}}},
-         {"per_frame_ms", spread(10)},
-         {"composite_ms", spread(7)},
-         {"composite_geometry_ms", spread(9)},
-         {"aerial_perspective_ms", spread(1)},
-         {"light_ms", spread(0.5)},
-         {"composite_two_suns_ms", spread(11)},
-         {"shadows_ms", spread(3)},
-         {"composite_shadows_ms", spread(9.5)},
-         {"rebuild_ms", spread(8)},
-         {"shadow_bytes", 262144},
-         {"bytes", 3 * 1048576},
-         {"air_bytes", 1048576},
-         {"aerial_perspective_bytes", 524288}});
+    out["costs"].push_back({{"air", "earth"},
+                            {"setting", "fog default"},
+                            {"work",
+                             {{"rebuild", 2e6},
+                              {"view", 15},
+                              {"air_memory", 3},
+                              {"view_memory", 2},
+                              {"aerial_perspective_memory", 4},
+                              {"composite", 5},
+                              {"light", 6}}},
+                            {"per_frame_ms", spread(10)},
+                            {"composite_ms", spread(7)},
+                            {"composite_geometry_ms", spread(9)},
+                            {"aerial_perspective_ms", spread(1)},
+                            {"light_ms", spread(0.5)},
+                            {"composite_two_suns_ms", spread(11)},
+                            {"shadows_ms", spread(3)},
+                            {"composite_shadows_ms", spread(9.5)},
+                            {"rebuild_ms", spread(8)},
+                            {"shadow_bytes", 262144},
+                            {"bytes", 3 * 1048576},
+                            {"air_bytes", 1048576},
+                            {"aerial_perspective_bytes", 524288}});
     return out;
 }
 
@@ -89,8 +97,8 @@ MeasuredSkies invented(std::size_t scenes) {
         scene.situation[0] = 6 * random();
         scene.situation[3] = 3 * random();
         const double logarithm = std::sin(scene.situation[0]) + 0.5 * scene.situation[3] - 3;
-        for (MeasuredError* error : {&setting.sky_median, &setting.sky_p95, &setting.aerial_p95})
-            error->by_scene.push_back(MeasuredError::pack(std::exp(logarithm)));
+        for (const auto error : detail::measured_errors)
+            (setting.*error).by_scene.push_back(MeasuredError::pack(std::exp(logarithm)));
     }
     return skies;
 }
@@ -122,7 +130,10 @@ TEST_CASE("gather: scenes by their colours, settings with what is known of them,
     CHECK(cost.shadows_ms == 3);
     CHECK(cost.composite_shadows_ms == 0.5);
     CHECK(cost.shadows_mib == 0.25);
-    CHECK(cost.work == detail::TableWork{2e6, 15, 3, 2, 4});
+    CHECK(cost.work == detail::TableWork{2e6, 15, 3, 2, 4, 5, 6});
+    const AtmosphereParameters mars = presets::mars();  // what was known of it then does not count
+    CHECK(gather({&one, 1}, false, {{"earth", mars}}).settings[0].by_air.at(0).work == table_work(*model_by_name("fog"), mars));
+    CHECK(gather({&one, 1}, false, {{"venus", mars}}).settings[0].by_air.at(0).work == cost.work);
     REQUIRE(wavelengths.scenes.size() == 1);
     REQUIRE(wavelengths.settings.size() == 1);
     CHECK(wavelengths.settings[0].setting.spectral == "4");
@@ -158,6 +169,43 @@ TEST_CASE("gather: of what was measured twice the later counts; what is incomple
     CHECK(contains(complaint([&] { (void)gather({&unknown, 1}, false); }), "a setting that it does not list"));
 }
 
+TEST_CASE("gather: where the truth of most directions is not known nothing is") {
+    const auto sky_of = [](const json& asked) {
+        json one = measured();  // ten rows
+        one["results"][0]["regions"]["all"].update(asked);
+        const detail::MeasuredSetting setting = gather({&one, 1}, false).settings[0];
+        CHECK(setting.aerial_p95.by_scene.at(0) == MeasuredError::pack(0.3));  // each region by itself
+        CHECK((setting.sky_median.by_scene.at(0) == MeasuredError::unknown) ==
+              (setting.sky_p95.by_scene.at(0) == MeasuredError::unknown));
+        return setting.sky_p95.by_scene.at(0);
+    };
+    CHECK(sky_of(json::object()) == MeasuredError::pack(2));
+    CHECK(sky_of({{"asked", 10}}) == MeasuredError::pack(2));
+    CHECK(sky_of({{"asked", 20}}) == MeasuredError::pack(2));
+    CHECK(sky_of({{"asked", 21}}) == MeasuredError::unknown);
+    CHECK(sky_of({{"asked", 45}}) == MeasuredError::unknown);
+}
+
+TEST_CASE("gather: light errs by the worse of sky and sun, and is unknown where the truth of either is") {
+    json given = measured();
+    given["scenes"][1]["situation"][detail::axis_of_space] = 1;
+    const auto light_of = [&](std::size_t result, const json& light) {
+        json one = given;
+        one["results"][result].update(light);
+        const std::size_t scene = one["results"][result]["scene"] == "a" ? 0 : 1;
+        return gather({&one, 1}, false).settings[0].light.by_scene.at(scene);
+    };
+    constexpr std::size_t in_air = 0, in_space = 1;
+    CHECK(light_of(in_air, {{"sky_illuminance", 0.2}, {"sun_colour", 0.03}}) == MeasuredError::pack(0.2));
+    CHECK(light_of(in_air, {{"sky_illuminance", 0.02}, {"sun_colour", 0.3}}) == MeasuredError::pack(0.3));
+    CHECK(light_of(in_air, {{"sky_illuminance", 0.2}}) == MeasuredError::pack(0.2));  // the sun has set
+    CHECK(light_of(in_air, {{"sun_colour", 0.2}}) == MeasuredError::unknown);         // the sky's truth is noise
+    CHECK(light_of(in_space, {{"sun_colour", 0.2}}) == MeasuredError::pack(0.2));     // where no sky is
+    CHECK(light_of(in_air, json::object()) == MeasuredError::unknown);
+    CHECK(light_of(in_space, json::object()) == MeasuredError::unknown);
+    CHECK(light_of(in_air, {{"sky_illuminance", nullptr}}) == MeasuredError::pack(HUGE_VAL));
+}
+
 TEST_CASE("fit: finds along which axes a field changes, and bounds that hold") {
     MeasuredSkies skies = invented(60);
     fit(skies);
@@ -166,7 +214,7 @@ TEST_CASE("fit: finds along which axes a field changes, and bounds that hold") {
     CHECK(skies.margin > 0.5);
     CHECK(skies.margin < 6);
     const Coverage found = coverage(skies, drawn_third(skies, 3));
-    CHECK(found.all.predictions == 40);  // 20 scenes, sky and geometry
+    CHECK(found.all.predictions == 60);  // 20 scenes: sky, geometry and light
     CHECK(found.all.below_bound >= 0.9);
     CHECK(found.all.median_excess < 1.5);
     CHECK(found.all.median_off < 0.1);
@@ -180,6 +228,37 @@ TEST_CASE("fit: a third is drawn by seed and name alone") {
     CHECK(std::ranges::adjacent_find(first) == first.end());
     CHECK(first == drawn_third(skies, 1));
     CHECK(first != drawn_third(skies, 2));
+}
+
+TEST_CASE("fit: an air that is left out is foretold from the others, its costs by their work") {
+    MeasuredSkies skies = invented(60);
+    skies.airs = {"thin", "thick"};
+    for (std::size_t i = 0; i < skies.scenes.size(); ++i) skies.scenes[i].air = i % 2;
+    detail::MeasuredCost thin, thick;
+    thin.air_mib = thick.air_mib = 1;
+    thin.composite_ms = 10;
+    thick.composite_ms = 40;
+    thick.work.composite = 4;
+    thin.rebuild_ms = 5;
+    thick.rebuild_ms = 100;
+    thick.work.rebuild = 10;  // so half of it is foretold
+    skies.settings[0].by_air = {thin, thick};
+    const std::vector<AirLeftOut> found = without_each_air(skies);
+    REQUIRE(found.size() == 2);
+    CHECK(found[0].air == "thin");
+    CHECK(found[1].air == "thick");
+    for (const AirLeftOut& one : found) {
+        CHECK(one.errors.all.predictions == 90);  // 30 scenes
+        REQUIRE(one.costs.size() == 3);
+        for (const ForetoldCost& cost : one.costs) {
+            const bool rebuild = cost.what == "rebuild";
+            CHECK(cost.off() == doctest::Approx(!rebuild ? 0 : one.air == "thin" ? 1 : -0.5).epsilon(1e-6).scale(1));
+            CHECK(cost.within(cost_tolerance) == !rebuild);
+        }
+    }
+    CHECK(ForetoldCost{"", "", "rebuild", 0.05, 0.03}.within(0.3));  // too little to tell
+    CHECK_FALSE(ForetoldCost{"", "", "rebuild", 0.5, 0.03}.within(0.3));
+    CHECK(without_each_air(invented(60)).empty());  // nothing is left to go by
 }
 
 namespace {
@@ -206,7 +285,27 @@ void check_shipped(const MeasuredSkies& skies, double least_below) {
     CHECK(kept / choices >= 0.85);
 }
 
+/// What an air costs that was left out, as the others foretell it.
+void check_costs_elsewhere(const MeasuredSkies& skies) {
+    std::size_t known = 0;
+    for (const AirLeftOut& left_out : without_each_air(skies)) {
+        MESSAGE(left_out.air, ", left out at a distance of ", left_out.errors.distance, ": ", left_out.errors.all.below_bound,
+                " of ", left_out.errors.all.predictions, " errors below their bound");
+        for (const ForetoldCost& cost : left_out.costs) {
+            INFO(cost.air, ", ", cost.setting, ": ", cost.what, " of ", cost.measured_ms, " ms foretold as ", cost.foretold_ms);
+            CHECK(cost.within(cost_tolerance));
+            ++known;
+        }
+    }
+    CHECK(known > 20);
+}
+
 }  // namespace
+
+TEST_CASE("fit: what an air costs that was left out is foretold within 30 %") {
+    check_costs_elsewhere(detail::measured_in_rgb());
+    check_costs_elsewhere(detail::measured_in_wavelengths());
+}
 
 TEST_CASE("fit: what the library ships covers scenes that it was not fitted to") {
     check_shipped(detail::measured_in_rgb(), 0.9);

@@ -17,7 +17,8 @@ using detail::MeasuredSetting;
 using detail::MeasuredSkies;
 using nlohmann::json;
 
-constexpr double least_mib = 1e-6;  // of a model without tables: 0 says that it was not measured
+constexpr double least_known = 0.5;  // share of the directions: a quantile of fewer is not one of the scene
+constexpr double least_mib = 1e-6;   // of a model without tables: 0 says that it was not measured
 
 /// Index of the one that is called `name`, which is added if there is none.
 template <class Named, class Name>
@@ -35,7 +36,8 @@ void grow(MeasuredError& error, std::size_t scenes) {
 
 class Gathering {
 public:
-    explicit Gathering(bool wavelengths) : wavelengths_(wavelengths) {}
+    Gathering(bool wavelengths, const std::map<std::string, AtmosphereParameters>& airs)
+        : wavelengths_(wavelengths), airs_(airs) {}
 
     void add(const json& measured) {
         scenes_.clear();
@@ -52,8 +54,7 @@ public:
             throw Error(ErrorCode::invalid_argument, "measurements", "measured without costs",
                         "at least one measured with them");
         for (MeasuredSetting& setting : skies_.settings) {
-            for (MeasuredError* error : {&setting.sky_median, &setting.sky_p95, &setting.aerial_p95})
-                grow(*error, skies_.scenes.size());
+            for (const auto error : detail::measured_errors) grow(setting.*error, skies_.scenes.size());
             setting.by_air.resize(skies_.airs.size());
         }
         return std::move(skies_);
@@ -77,7 +78,7 @@ private:
         const std::string id = setting.id();
         const std::size_t i = index_of(
             skies_.settings, id, [](const MeasuredSetting& one) { return one.setting.id(); },
-            MeasuredSetting{std::move(setting), {}, {}, {}, {}});
+            MeasuredSetting{std::move(setting), {}, {}, {}, {}, {}});
         return skies_.settings[i];
     }
 
@@ -87,7 +88,7 @@ private:
         const std::size_t scene = scenes_.at(result.at("scene"));
         const json& regions = result.at("regions");
         const auto keep = [&](MeasuredError& error, const char* region, const char* quantile) {
-            if (!regions.contains(region) || regions.at(region).at("rows") == 0) return;
+            if (!regions.contains(region) || !is_known(regions.at(region))) return;
             grow(error, scene + 1);
             const json& value = regions.at(region).at(quantile);  // null: infinite
             error.by_scene[scene] = MeasuredError::pack(value.is_null() ? HUGE_VAL : value.get<double>());
@@ -95,6 +96,27 @@ private:
         keep(setting.sky_median, "all", "median");
         keep(setting.sky_p95, "all", "p95");
         keep(setting.aerial_p95, "aerial", "p95");
+        keep_light(setting.light, scene, result);
+    }
+
+    /// The truth of enough directions. Older measurements do not say how many were asked for.
+    static bool is_known(const json& region) {
+        const double rows = region.at("rows").get<double>();
+        return rows > 0 && rows >= least_known * (region.contains("asked") ? region.at("asked").get<double>() : rows);
+    }
+
+    /// Unknown where the truth of either part is: of the sky's above the air, and of the sun's after it has set, there is none.
+    void keep_light(MeasuredError& light, std::size_t scene, const json& result) {
+        const MeasuredScene& place = skies_.scenes[scene];
+        const bool sky = result.contains("sky_illuminance"), sun = result.contains("sun_colour");
+        const bool in_space = place.situation[detail::axis_of_space] > 0;
+        if (!sky && !(in_space && sun)) return;
+        const auto error = [&](const char* name) {  // null: infinite
+            if (!result.contains(name)) return 0.0;
+            return result.at(name).is_null() ? HUGE_VAL : result.at(name).get<double>();
+        };
+        grow(light, scene + 1);
+        light.by_scene[scene] = MeasuredError::pack(std::max(error("sky_illuminance"), error("sun_colour")));
     }
 
     void add_costs(const json& measured) {
@@ -119,8 +141,7 @@ private:
         const auto median = [&](const char* name) { return cost.at(name).at("median").get<double>(); };
         const double views = std::max(median("per_frame_ms") - median("composite_ms"), 0.0);
         MeasuredCost& kept = setting->by_air[i];
-        const auto work = [&](const char* name) { return cost.at("work").at(name).get<double>(); };
-        kept.work = {work("rebuild"), work("view"), work("air_memory"), work("view_memory"), work("aerial_perspective_memory")};
+        kept.work = work_of(cost, setting->setting);
         kept.composite_ms = larger * median("composite_ms");
         kept.composite_geometry_ms = larger * median("composite_geometry_ms");
         kept.aerial_perspective_ms = median("aerial_perspective_ms");
@@ -140,15 +161,27 @@ private:
         kept.view_mib = std::max(mebibytes("bytes") - mebibytes("air_bytes") - kept.aerial_perspective_mib, 0.0);
     }
 
+    [[nodiscard]] detail::TableWork work_of(const json& cost, const Setting& setting) const {
+        const json& then = cost.at("work");
+        if (const auto air = airs_.find(cost.at("air")); air != airs_.end())
+            if (const std::optional<Prepared> prepared = prepare(setting, air->second))
+                return detail::table_work(*prepared->model, prepared->air);
+        const auto work = [&](const char* name) { return then.at(name).get<double>(); };
+        return {work("rebuild"),   work("view"), work("air_memory"), work("view_memory"), work("aerial_perspective_memory"),
+                work("composite"), work("light")};
+    }
+
     bool wavelengths_;
+    const std::map<std::string, AtmosphereParameters>& airs_;
     MeasuredSkies skies_;
     std::map<std::string, std::size_t> scenes_;
 };
 
 }  // namespace
 
-MeasuredSkies gather(std::span<const json> measurements, bool wavelengths) {
-    Gathering gathering(wavelengths);
+MeasuredSkies gather(std::span<const json> measurements, bool wavelengths,
+                     const std::map<std::string, AtmosphereParameters>& airs) {
+    Gathering gathering(wavelengths, airs);
     try {
         for (const json& measured : measurements) gathering.add(measured);
     } catch (const json::exception& error) {

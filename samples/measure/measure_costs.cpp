@@ -20,7 +20,9 @@ json to_json(const detail::TableWork& w) {
             {"view", w.view},
             {"air_memory", w.air_memory},
             {"view_memory", w.view_memory},
-            {"aerial_perspective_memory", w.aerial_perspective_memory}};
+            {"aerial_perspective_memory", w.aerial_perspective_memory},
+            {"composite", w.composite},
+            {"light", w.light}};
 }
 
 json to_json(const std::string& air, const CostSubject& subject, const Cost& cost) {

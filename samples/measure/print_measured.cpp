@@ -62,7 +62,7 @@ std::string print(const MeasuredCost& cost) {
                              cost.composite_shadows_ms,
                              cost.shadows_mib};
     const detail::TableWork& w = cost.work;
-    const double work[] = {w.rebuild, w.view, w.air_memory, w.view_memory, w.aerial_perspective_memory};
+    const double work[] = {w.rebuild, w.view, w.air_memory, w.view_memory, w.aerial_perspective_memory, w.composite, w.light};
     std::string text = braced(values, ", ", rounded);
     text.pop_back();
     return text + ", " + braced(work, ", ", exact) + "}";
@@ -70,10 +70,10 @@ std::string print(const MeasuredCost& cost) {
 
 std::string print(const MeasuredSetting& measured) {
     const Setting& s = measured.setting;
-    return "// " + s.id() + "\n{{" + quoted(s.model) + ", " + quoted(s.quality) + ", " + quoted(s.spectral) + ", " +
-           braced(s.without, ", ", quoted) + "},\n " + print(measured.sky_median) + ",\n " + print(measured.sky_p95) + ",\n " +
-           print(measured.aerial_p95) + ",\n " +
-           braced(measured.by_air, ", ", [](const MeasuredCost& cost) { return print(cost); }) + "}";
+    std::string text = "// " + s.id() + "\n{{" + quoted(s.model) + ", " + quoted(s.quality) + ", " + quoted(s.spectral) + ", " +
+                       braced(s.without, ", ", quoted) + "},\n ";
+    for (const auto error : detail::measured_errors) text += print(measured.*error) + ",\n ";
+    return text + braced(measured.by_air, ", ", [](const MeasuredCost& cost) { return print(cost); }) + "}";
 }
 
 }  // namespace

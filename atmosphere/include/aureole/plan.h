@@ -21,6 +21,8 @@
 
 namespace aureole {
 
+/// From `least` to `most`, both included; one place where they are the same. What it is of says unit and limits; `most` less
+/// than `least`, or no number, is Error(invalid_argument) naming the end, as "altitude_m.most".
 struct PlanRange {
     double least = 0, most = 0;
     [[nodiscard]] bool operator==(const PlanRange&) const = default;
@@ -44,14 +46,17 @@ struct PlanRequirements {
     PlanRange altitude_m{2, 2};          ///< Of the camera above the ground radius; in [-1e4, 1e12], least first.
 
     // What is shown.
-    Projection projection = Projection::matrix;  ///< Of every camera.
+    Projection projection = Projection::matrix;  ///< Of every camera. Costs were measured for matrix, and the others are
+                                                 ///< charged the same.
     bool geometry = false;                       ///< The composite gets a host's colour and depth.
     double geometry_range_m = 96000;             ///< How far away geometry may be: of the view's froxels;
-                                                 ///< errors were measured at 1 to 100 km. In [1e-3, 1e13].
+                                                 ///< errors were measured at 1 to 100 km; outside
+                                                 ///< of these the plan warns. In [1e-3, 1e13].
     bool shadows = false;                        ///< The host's shadow map darkens the air (ViewSettings::shadows, which
                                                  ///< the host sets): of one sun, and charged at the default size. What
                                                  ///< shadows err by is in no figure of the plan (shadows.md).
-    bool light = true;                           ///< Sun colour and sky irradiance for the host's own materials are needed.
+    bool light = true;                           ///< Sun colour and sky irradiance for the host's own materials are needed,
+                                                 ///< and must be as right as what is seen.
     std::uint32_t suns = 1;                      ///< Tables are charged for each, and composites grow with them. In [1, 4].
     std::uint32_t views = 1;                     ///< Cameras that are drawn each frame. In [1, 64].
     std::uint32_t width = 1280, height = 720;    ///< Pixels of a view. Each in [1, 65536].
@@ -63,7 +68,7 @@ struct PlanRequirements {
     double rebuilds_per_frame = 1.0 / 3600;
 
     // What is tolerable.
-    /// Relative error of radiance that 95 of 100 directions must stay below. In [1e-4, 10].
+    /// Relative error of radiance that 95 of 100 directions must stay below; of light, too, where it is needed. In [1e-4, 10].
     std::optional<double> tolerance;
     /// Milliseconds of a frame: camera tables, composites, and rebuilds as often as they occur. In [1e-9, 1e6].
     std::optional<double> budget_ms;
@@ -84,11 +89,12 @@ struct PlanCost {
     double mebibytes = 0;   ///< Of the tables of the air, and of the cameras.
     double charged_ms = 0;  ///< frame_ms and rebuild_ms as often as it occurs: what budget_ms bounds, and plans compare.
 };
-/// Relative, of radiance: of the worst situation in the requirements' ranges.
+/// Relative: of the worst situation in the requirements' ranges.
 struct PlanError {
-    double median = 0;  ///< Of half of the directions; likely.
+    double median = 0;  ///< Of the radiance of half of the directions; likely.
     double p95 = 0;     ///< Of 95 of 100 directions; likely.
-    double bound = 0;   ///< Upper bound of p95: holds in 95 of 100 scenes that were not measured (plan.md).
+    double light = 0;   ///< Where PlanRequirements::light: of the sky's illuminance or the sun's colour, the worse; likely.
+    double bound = 0;   ///< Upper bound of p95 and of light: each holds in 95 of 100 scenes that were not measured (plan.md).
 };
 
 /// A setting that was thought of.
@@ -121,16 +127,22 @@ struct Plan {
     std::vector<PlanChoice> choices;
     std::vector<PlanCandidate> candidates;  ///< All, from the cheapest on; those excluded last.
     std::vector<std::string> nearest;       ///< Ids of the measured scenes that the prediction goes by most.
-    /// How far the worst of the situations is from what was measured: 0 at a measured scene; 1 as far as the loneliest of the
-    /// measured scenes is from all others. Above 1 nothing like it was measured, and the bound need not hold.
+    /// How far the worst of the situations is from what was measured: 0 at a measured scene; 1 as far as one of ten measured
+    /// scenes is from all others, or in air that is unlike any that was measured. Above 1 the bound need not hold.
     double distance = 0;
     std::string measured_on;  ///< Device of the costs, before PlanRequirements::speed.
+    DeviceSpeed speed;        ///< That they are for: PlanRequirements::speed.
+    /// What the figures do not cover, each in a sentence: an air or a place that is FAR from what was measured, geometry nearer
+    /// or farther than was measured, a budget in milliseconds that is judged by another device's speed.
+    std::vector<std::string> warnings;
 
     /// For people: every choice with its reason, the candidates on either side of the chosen one.
     [[nodiscard]] std::string text() const;
 };
 
-/// Deterministic, some milliseconds long; touches no device. Throws as validate does, of the air too.
+/// Deterministic; touches no device; from any thread. 2 ms for one place, some 20 for the widest ranges (plan.md). Throws as
+/// validate does, of the air too; and Error(unsupported) naming "wavelengths" or "air" where no setting that was measured can
+/// be taken, with the reasons of all.
 [[nodiscard]] Plan plan(const PlanRequirements& requirements);
 
 /// What to measure for a device's speed: aureole default in Earth's air, 1280x720 pixels, sky alone. Medians of about a second.
@@ -142,7 +154,8 @@ struct SpeedSample {
 };
 /// Setting to be measured for it, of presets::earth().
 [[nodiscard]] Setting speed_setting();
-/// Throws Error(invalid_argument) for a time that is not above 0.
+/// Throws Error(invalid_argument) for a time outside its range, and Error(unsupported) naming "speed" where the library's table
+/// does not have that setting's cost in Earth's air.
 [[nodiscard]] DeviceSpeed calibrated(const SpeedSample& sample);
 
 }  // namespace aureole

@@ -64,7 +64,9 @@ public:
 
     /// The ranges of `needs` are those of the whole scene; each plan is for the part around sun and camera. The first plan is
     /// made by the first update(). `composite`: of every view. Throws as plan() does, and as View does for `composite`. Not for
-    /// several views, or CompositeSettings::scene_depth without geometry. Budgets are for one sky: during a fade there are two,
+    /// CompositeSettings::scene_depth without geometry, nor for PlanRequirements::views other than 1: a fade is that of one
+    /// View's pictures, and cameras in different places may call for different plans. Several views: plan() for all of them, or
+    /// a PlannedSky for each, which has its own tables of the air. Budgets are for one sky: during a fade there are two,
     /// and two pictures for each target.
     PlannedSky(rhi::Device& device, const PlanRequirements& needs, const CompositeSettings& composite = {},
                const FollowSettings& follow = {});
@@ -72,8 +74,11 @@ public:
     PlannedSky(const PlannedSky&) = delete;
     PlannedSky& operator=(const PlannedSky&) = delete;
 
-    /// The frame's camera, and suns (at most PlanRequirements::suns): the brightest is planned for. Makes a new plan where they
-    /// have left the surroundings of the last one, and a new sky where that differs. A sun or camera beyond the ranges of the
+    /// The frame's camera, and suns (at most PlanRequirements::suns): all that give light and are above -18 degrees are planned
+    /// for, whichever is the brightest; if none is, one that is just there. Makes a new plan where they have left the
+    /// surroundings of the last one, and a new sky where that differs. The setting in use stays while it meets the requirements
+    /// and costs at most a tenth more than the best; a cheaper one has to do for twice as far around as a plan is made for. So
+    /// a sun that goes to and fro does not make the sky do so. A sun or camera beyond the ranges of the
     /// requirements is planned for all the same. Until a new sky has faded in no other plan is made, and the old one is shown
     /// wherever the sun may have got to. Throws for bad input, and where the device refuses; then nothing has changed.
     PlanUpdate update(const Camera& camera, std::span<const Sun> suns);
@@ -82,6 +87,8 @@ public:
     /// Other air: planned for by the next update(), after a fade that is under way. Where the same setting is enough, as
     /// Atmosphere::set_parameters. Throws as plan() does, and then nothing has changed.
     void set_air(const AtmosphereParameters& air);
+    /// As CompositeSettings::exposure, in [1e-30, 1e30]; anything else throws Error(invalid_argument) naming
+    /// "composite.exposure", and then nothing has changed. Before the first update(): of the sky which that makes.
     void set_exposure(double exposure);
     /// As View::set_shadow_map, where PlanRequirements::shadows. Before the first update() there is no view to check a
     /// texture's use: such an error comes from there. If the device refuses during a fade, one of the two skies may have taken
@@ -94,14 +101,15 @@ public:
     /// can be sampled. Before the first update() there is no view to check a texture's use: such an error comes from there.
     void prepare_composite(const CompositeTargets& targets);
     void release_composite(const CompositeTargets& targets) noexcept;
-    /// Records the tables of the air and the camera that are due.
+    /// Records the tables of the air and the camera that are due. Before the first update(): nothing.
     void record(rhi::CommandList& commands);
-    /// Records the composite; during a fade two of them, and one over the other.
+    /// Records the composite; during a fade two of them, and one over the other. Before the first update() nothing but an error
+    /// in the log.
     void record_composite(rhi::CommandList& commands, const CompositeTargets& targets);
-    void invalidate() noexcept;  ///< As Atmosphere's.
+    void invalidate() noexcept;  ///< As Atmosphere's. A fade begins anew.
 
     [[nodiscard]] PlannedLight light() const noexcept;
-    [[nodiscard]] std::uint64_t table_bytes() const noexcept;  ///< Of all skies there are at the moment.
+    [[nodiscard]] std::uint64_t table_bytes() const noexcept;  ///< Of all skies there are at the moment; 0 before update().
 
 private:
     struct Impl;

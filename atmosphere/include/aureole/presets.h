@@ -14,6 +14,13 @@ namespace aureole::presets {
 [[nodiscard]] AtmosphereParameters earth();
 /// Earth with ten times the aerosol, g 0.76, ground albedo 0.1.
 [[nodiscard]] AtmosphereParameters hazy_earth();
+/// Earth with as much aerosol as this visibility takes: 1 km to 220 km; earth() itself has 166 km. Error(invalid_argument)
+/// else. Visibility is the meteorological optical range (WMO-No. 8, chapter 9): where a beam of light is down to 5 %, so
+/// extinction is ln 20 / visibility = 3.0 / visibility, here that of molecules and aerosol together on the ground, in green.
+/// (Koschmieder's range, where contrast is down to 2 %, is 3.912 / extinction: 1.31 times as far.) The aerosol is earth()'s in
+/// all but its amount: of one scale height of 1.2 km, g 0.8, and grey. Fog, below 1 km, is of droplets; and above 220 km
+/// molecules alone are more.
+[[nodiscard]] AtmosphereParameters earth_with_visibility(double visibility_m);
 /// Mars with its dust: radii 3389.5/3509.5 km; Rayleigh (19.918, 13.57, 5.75)e-6 /m and dust 9.66e-6 scattering,
 /// (0.5, 1.3, 3.8)e-6 absorption, both with scale height 11.1 km; Cornette-Shanks g 0.76; albedo 0.25.
 [[nodiscard]] AtmosphereParameters mars();

@@ -55,7 +55,7 @@ struct Prepared {
 
 /// The same as fine as the model gets, with the same left out of the light itself (not of samples and formats), be it by
 /// `without` or by the quality (the grey air of hillaire, the mean of aureole low, fog of one colour): what separates the two
-/// is discretisation.
+/// is discretisation. It does not validate: of what is no setting it makes another such, which validate() and prepare() refuse.
 [[nodiscard]] Setting converged(const Setting& setting);
 
 }  // namespace aureole

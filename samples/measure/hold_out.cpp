@@ -1,0 +1,187 @@
+#include "measure/hold_out.h"
+
+#include "app/fnv.h"
+#include "app/quantile.h"
+#include "measure/fit.h"
+#include "plan/candidates.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace aureole::app {
+namespace {
+
+using detail::MeasuredCost;
+using detail::MeasuredError;
+using detail::MeasuredSetting;
+using detail::MeasuredSkies;
+using detail::Predictor;
+
+constexpr std::array tolerances{0.005, 0.01, 0.02, 0.05, 0.1, 0.2};
+
+std::uint64_t hash_of(const std::string& text, std::uint32_t seed) {
+    Fnv1a hash;
+    hash.add(seed);
+    hash.add(text);
+    return hash.value() ^ hash.value() >> 32;
+}
+
+std::vector<std::size_t> all_but(std::size_t count, const std::vector<std::size_t>& sorted) {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < count; ++i)
+        if (!std::ranges::binary_search(sorted, i)) result.push_back(i);
+    return result;
+}
+
+/// An error beside what was measured.
+struct Foretold {
+    double excess, off;  // Coverage::Of
+};
+
+Coverage::Of summary_of(const std::vector<Foretold>& list) {
+    if (list.empty()) return {};
+    std::vector<double> excess, off;
+    for (const Foretold& one : list) {
+        excess.push_back(one.excess);
+        off.push_back(one.off);
+    }
+    std::ranges::sort(excess);
+    std::ranges::sort(off);
+    const auto below = std::ranges::count_if(excess, [](double e) { return e >= 1; });
+    return {list.size(), static_cast<double>(below) / static_cast<double>(list.size()), quantile(excess, 0.5),
+            quantile(off, 0.5)};
+}
+
+/// Predictions in scenes that they do not know of.
+class Trial {
+public:
+    Trial(const MeasuredSkies& skies, const Predictor& predictor) : skies_(skies), predictor_(predictor) {}
+
+    void run(std::size_t scene) {
+        Predictor::Here here = predictor_.at(skies_.scenes[scene].situation);
+        distances_.push_back(here.distance());
+        for (const MeasuredSetting& setting : predictor_.skies().settings) {
+            add(sky_, here, setting.sky_p95, scene);
+            add(geometry_, here, setting.aerial_p95, scene);
+            add(light_, here, setting.light, scene);
+        }
+        choose(scene, here, false);
+        choose(scene, here, true);
+    }
+
+    Coverage result() {
+        Coverage found;
+        found.sky = summary_of(sky_);
+        found.geometry = summary_of(geometry_);
+        found.light = summary_of(light_);
+        for (const std::vector<Foretold>* more : {&geometry_, &light_}) sky_.insert(sky_.end(), more->begin(), more->end());
+        found.all = summary_of(sky_);
+        found.choices = choices_;
+        if (choices_ > 0) found.choices_kept = static_cast<double>(kept_) / static_cast<double>(choices_);
+        std::ranges::sort(distances_);
+        found.distance = quantile(distances_, 0.5);
+        return found;
+    }
+
+private:
+    static void add(std::vector<Foretold>& list, Predictor::Here& here, const MeasuredError& error, std::size_t scene) {
+        const std::optional<double> truth = error.in(scene);
+        const auto predicted = truth ? here.predict(error) : std::nullopt;
+        if (predicted) list.push_back({predicted->bound / *truth, std::abs(std::log(predicted->likely / *truth))});
+    }
+
+    /// As plan() does, among the settings that were measured there, with their costs.
+    void choose(std::size_t scene, Predictor::Here& here, bool geometry) {
+        const std::vector<MeasuredSetting>& settings = predictor_.skies().settings;
+        PlanRequirements needs;
+        needs.geometry = geometry;
+        needs.light = std::ranges::any_of(settings, [&](const auto& one) { return one.light.in(scene).has_value(); });
+        std::vector<PlanCandidate> candidates;
+        std::vector<double> truth;
+        for (const MeasuredSetting& setting : settings) {
+            const MeasuredCost& cost = setting.by_air[skies_.scenes[scene].air];
+            const std::optional<double> worst = detail::measured_worst(needs, setting, scene);
+            const auto error = worst ? detail::worse(needs, setting, here, {}) : std::nullopt;
+            if (!error || cost.air_mib == 0) continue;
+            candidates.push_back({setting.setting, *error, detail::cost_of(needs, cost).cost, false, {}});
+            truth.push_back(*worst);
+        }
+        if (candidates.empty()) return;
+        for (const double tolerance : tolerances) {
+            needs.tolerance = tolerance;
+            for (PlanCandidate& one : candidates) one.tolerable = detail::tolerates(needs, one);
+            const std::size_t best = detail::best_of(needs, candidates);
+            if (!candidates[best].tolerable) continue;
+            ++choices_;
+            if (truth[best] <= tolerance) ++kept_;
+        }
+    }
+
+    const MeasuredSkies& skies_;
+    const Predictor& predictor_;
+    std::vector<Foretold> sky_, geometry_, light_;
+    std::vector<double> distances_;
+    std::size_t choices_ = 0, kept_ = 0;
+};
+
+/// Of all settings that were measured in an air, as the others foretell it.
+std::vector<ForetoldCost> costs_in(const MeasuredSkies& skies, std::size_t air, const Predictor& predictor,
+                                   const detail::Situation& place) {
+    const PlanRequirements needs;
+    std::vector<ForetoldCost> result;
+    for (const MeasuredSetting& setting : predictor.skies().settings) {
+        const MeasuredCost& known = setting.by_air[air];
+        if (known.air_mib == 0) continue;
+        const std::optional<MeasuredCost> foretold = predictor.cost(setting, place, known.work);
+        if (!foretold) continue;
+        const PlanCost then = detail::cost_of(needs, *foretold).cost, now = detail::cost_of(needs, known).cost;
+        const std::string where = skies.airs[air], what = setting.setting.id();
+        result.push_back({where, what, "frame", then.frame_ms, now.frame_ms});
+        result.push_back({where, what, "rebuild", then.rebuild_ms, now.rebuild_ms});
+        result.push_back({where, what, "composite", foretold->composite_ms, known.composite_ms});
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<std::size_t> drawn_third(const MeasuredSkies& skies, std::uint32_t seed) {
+    std::vector<std::size_t> order = all_but(skies.scenes.size(), {});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return hash_of(skies.scenes[i].id, seed); });
+    order.resize(order.size() / 3);
+    std::ranges::sort(order);
+    return order;
+}
+
+Coverage coverage(const MeasuredSkies& skies, const std::vector<std::size_t>& held_out) {
+    MeasuredSkies fitted = skies;
+    const std::vector<std::size_t> seen = all_but(skies.scenes.size(), held_out);
+    fit(fitted, seen);
+    const Predictor predictor(fitted, seen);
+    Trial trial(skies, predictor);
+    for (const std::size_t scene : held_out) trial.run(scene);
+    return trial.result();
+}
+
+std::vector<AirLeftOut> without_each_air(const MeasuredSkies& skies) {
+    std::vector<AirLeftOut> result;
+    for (std::size_t air = 0; air < skies.airs.size(); ++air) {
+        std::vector<std::size_t> held_out;
+        for (std::size_t i = 0; i < skies.scenes.size(); ++i)
+            if (skies.scenes[i].air == air) held_out.push_back(i);
+        const std::vector<std::size_t> seen = all_but(skies.scenes.size(), held_out);
+        if (held_out.empty() || seen.empty()) continue;
+        MeasuredSkies fitted = skies;
+        fit(fitted, seen);
+        const Predictor predictor(fitted, seen);
+        Trial trial(skies, predictor);
+        for (const std::size_t scene : held_out) trial.run(scene);
+        result.push_back(
+            {skies.airs[air], trial.result(), costs_in(skies, air, predictor, skies.scenes[held_out.front()].situation)});
+    }
+    return result;
+}
+
+}  // namespace aureole::app

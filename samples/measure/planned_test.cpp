@@ -1,0 +1,57 @@
+// Plans in every measured scene, of the suites' own airs, too: the library knows of the presets alone.
+#include "measure/suite.h"
+#include "plan/test_scenes.h"
+
+#include <map>
+#include <string>
+
+using namespace aureole;
+using namespace aureole::app;
+using namespace aureole::detail;
+
+namespace {
+
+std::map<std::string, AtmosphereParameters> suite_airs() {
+    const std::filesystem::path folder = std::filesystem::path(AUREOLE_SCENES).parent_path() / "suites";
+    std::map<std::string, AtmosphereParameters> airs;
+    for (const char* name : {"small.toml", "full.toml"})
+        for (const SuiteAir& air : read_suite(folder / name).airs) airs[air.name] = air.parameters;
+    return airs;
+}
+
+/// Any setting has what the requirements ask of it measured there.
+bool is_known(const PlanRequirements& needs, const MeasuredSkies& skies, std::size_t scene) {
+    return std::ranges::any_of(skies.settings, [&](const auto& one) { return measured_worst(needs, one, scene).has_value(); });
+}
+
+void check_every_scene(const MeasuredSkies& skies, bool wavelengths) {
+    const auto airs = suite_airs();
+    const Predictor predictor(skies);
+    Planned all;
+    std::size_t with_geometry = 0;
+    for (std::size_t scene = 0; scene < skies.scenes.size(); ++scene)
+        for (const bool geometry : {false, true}) {
+            INFO(skies.airs[skies.scenes[scene].air]);
+            REQUIRE(airs.contains(skies.airs[skies.scenes[scene].air]));
+            PlanRequirements needs;
+            needs.air = airs.at(skies.airs[skies.scenes[scene].air]);
+            needs.wavelengths = wavelengths;
+            needs.geometry = geometry;
+            needs.light = is_known(needs, skies, scene);
+            if (!is_known(needs, skies, scene)) continue;
+            with_geometry += geometry ? 1 : 0;
+            const Planned here = check_plans_of(needs, predictor, scene);
+            all.planned += here.planned;
+            all.refused += here.refused;
+        }
+    CHECK(with_geometry > 5);
+    CHECK(all.planned > 2 * skies.scenes.size());
+    CHECK(all.refused > 0);  // half a percent in twilight
+}
+
+}  // namespace
+
+TEST_CASE("plan: in every measured scene, for every tolerance, it is the cheapest measured setting that meets it") {
+    SUBCASE("in red, green and blue") { check_every_scene(measured_in_rgb(), false); }
+    SUBCASE("in wavelengths") { check_every_scene(measured_in_wavelengths(), true); }
+}

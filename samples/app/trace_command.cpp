@@ -10,10 +10,13 @@
 #include <array>
 #include <charconv>
 #include <cstdio>
+#include <map>
 #include <memory>
 
 namespace aureole::app {
 namespace {
+
+using Tracking = models::ReferenceSettings::Tracking;
 
 constexpr int value_digits = 9, error_digits = 4;
 
@@ -182,6 +185,14 @@ void add_trace_command(CLI::App& program) {
         ->add_option("--orders", options->settings.orders,
                      "Radiance of each order of scattering from 1 to this, 0 to 64, with its standard error, too")
         ->capture_default_str();
+    command
+        ->add_option(
+            "--tracking", options->settings.tracking,
+            "How transmittances are found: quadrature (quick; misses a little), or ratio (ratio tracking: no bias, more "
+            "noise; the first order by paths, too; not with --orders)")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, Tracking>{{"quadrature", Tracking::quadrature}, {"ratio", Tracking::ratio}}))
+        ->default_str("quadrature");
     command->add_option("--seed", options->settings.seed, "Another seed, other paths: 0 to 4095")->capture_default_str();
     command
         ->add_option("--spectral", options->spectral,

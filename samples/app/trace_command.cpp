@@ -10,19 +10,16 @@
 #include <array>
 #include <charconv>
 #include <cstdio>
-#include <map>
 #include <memory>
 
 namespace aureole::app {
 namespace {
 
-using Tracking = models::ReferenceSettings::Tracking;
-
 constexpr int value_digits = 9, error_digits = 4;
 
 struct TraceOptions {
     std::filesystem::path scene, directions, output, checkpoint;
-    std::string preset, spectral, error = "0.5%";
+    std::string preset, spectral, tracking = "quadrature", error = "0.5%";
     std::vector<double> sun_zenith, altitude, view_zenith, azimuth;
     bool resume = false;
     TraceSettings settings;
@@ -113,6 +110,7 @@ void print_summary(const TraceOptions& options, const Tracer& tracer, Backend& b
 
 void run_trace(TraceOptions options) {
     options.settings.error = parse_error(options.error);
+    if (options.tracking == "ratio") options.settings.tracking = models::ReferenceSettings::Tracking::ratio;
     options.settings.validate();
     Scene scene;
     if (options.preset.empty())
@@ -187,12 +185,11 @@ void add_trace_command(CLI::App& program) {
         ->capture_default_str();
     command
         ->add_option(
-            "--tracking", options->settings.tracking,
+            "--tracking", options->tracking,
             "How transmittances are found: quadrature (quick; misses a little), or ratio (ratio tracking: no bias, more "
             "noise; the first order by paths, too; not with --orders)")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, Tracking>{{"quadrature", Tracking::quadrature}, {"ratio", Tracking::ratio}}))
-        ->default_str("quadrature");
+        ->check(CLI::IsMember({"quadrature", "ratio"}))
+        ->capture_default_str();
     command->add_option("--seed", options->settings.seed, "Another seed, other paths: 0 to 4095")->capture_default_str();
     command
         ->add_option("--spectral", options->spectral,

@@ -180,7 +180,7 @@ TEST_CASE("reference: what comes in goes out or is absorbed by air and ground") 
 
 // Minutes, as all that is skipped: reference.md has the command and the figures.
 TEST_CASE("reference: what comes in goes out, to 0.1 %" * doctest::skip()) {
-    CHECK(check_balance(false, {.tries = 16, .places = 512, .directions = 64, .paths = 16, .parts = 4}, 3e-4) < 1e-3);
+    CHECK(check_balance(false, {.tries = 32, .places = 512, .directions = 64, .paths = 16, .parts = 4}, 3e-4) < 1e-3);
     CHECK(check_balance(true, {.tries = 16, .places = 256, .directions = 64, .paths = 4, .parts = 4}, 3e-4) < 1e-3);
 }
 

@@ -139,5 +139,5 @@ TEST_CASE("reference: ratio tracking and quadrature agree, path by path") { comp
 
 // Minutes: reference.md has the command and the figures.
 TEST_CASE("reference: ratio tracking and quadrature agree, in many paths" * doctest::skip()) {
-    compare_trackings(512, 2e-3, true);
+    compare_trackings(512, 6e-3, true);  // Titan's blue; half a thousandth elsewhere
 }

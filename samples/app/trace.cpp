@@ -29,8 +29,10 @@ Estimated estimate(const TraceState& state, const Tally& tally) {
     return estimate(tally, static_cast<double>(state.rounds) * trace_lanes);
 }
 
-ReferenceSettings up_to_order(int order, int paths, int seed) {
+/// Without paths: what nodes know, which is the first order.
+ReferenceSettings up_to_order(int order, int paths, int seed, ReferenceSettings::Tracking tracking) {
     ReferenceSettings settings;
+    if (paths > 0) settings.tracking = tracking;
     settings.max_order = order;
     settings.paths_per_frame = paths;
     settings.seed = seed;
@@ -44,6 +46,7 @@ void TraceSettings::validate() const {
     check("max_paths", static_cast<double>(max_paths), trace_least_rounds * trace_round_paths, 1e12);
     check("orders", orders, 0, 64);
     check("seed", seed, 0, seeds_of_trace - 1);
+    if (tracking == ReferenceSettings::Tracking::ratio) check("orders, with ratio tracking", orders, 0, 0);
 }
 
 /// Everything on the device, for one seed.
@@ -55,8 +58,9 @@ struct Tracer::Eyes {
     std::vector<std::unique_ptr<TraceEye>> open(int order, int paths, const TraceSettings& settings, std::uint64_t nth) {
         std::vector<std::unique_ptr<TraceEye>> opened;
         for (std::size_t air = 0; air < colours.airs().size(); ++air)
-            opened.push_back(std::make_unique<TraceEye>(backend, colours.airs()[air],
-                                                        up_to_order(order, paths, nth_seed(settings, nth, air)), target));
+            opened.push_back(
+                std::make_unique<TraceEye>(backend, colours.airs()[air],
+                                           up_to_order(order, paths, nth_seed(settings, nth, air), settings.tracking), target));
         return opened;
     }
     /// Adds what they see of the chosen rows. False if it was stopped before.

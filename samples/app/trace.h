@@ -5,6 +5,7 @@
 #include "app/probe.h"
 #include "app/tally.h"
 
+#include <aureole/models/reference.h>
 #include <aureole/parameters.h>
 
 #include <cstdint>
@@ -28,7 +29,9 @@ struct TraceSettings {
     std::uint64_t max_paths = 1 << 20;  ///< Of a direction, at most. In [4096, 1e12].
     int orders = 0;                     ///< Radiance of the orders 1 to this is told apart, too. In [0, 64].
     int seed = 0;                       ///< Another seed, other paths. In [0, 4095].
-    std::string spectral = "rgb";       ///< Or a number of wavelengths, as models::wavelengths_by_name takes it.
+    /// With `ratio` nothing is biased, and `orders` must be 0: the difference of two noises says little of the second order.
+    models::ReferenceSettings::Tracking tracking = models::ReferenceSettings::Tracking::quadrature;
+    std::string spectral = "rgb";  ///< Or a number of wavelengths, as models::wavelengths_by_name takes it.
 
     /// Throws Error(invalid_argument) at the first value outside its range.
     void validate() const;

@@ -19,7 +19,7 @@ constexpr int value_digits = 9, error_digits = 4;
 
 struct TraceOptions {
     std::filesystem::path scene, directions, output, checkpoint;
-    std::string preset, spectral, error = "0.5%";
+    std::string preset, spectral, tracking = "quadrature", error = "0.5%";
     std::vector<double> sun_zenith, altitude, view_zenith, azimuth;
     bool resume = false;
     TraceSettings settings;
@@ -110,6 +110,7 @@ void print_summary(const TraceOptions& options, const Tracer& tracer, Backend& b
 
 void run_trace(TraceOptions options) {
     options.settings.error = parse_error(options.error);
+    if (options.tracking == "ratio") options.settings.tracking = models::ReferenceSettings::Tracking::ratio;
     options.settings.validate();
     Scene scene;
     if (options.preset.empty())
@@ -181,6 +182,13 @@ void add_trace_command(CLI::App& program) {
     command
         ->add_option("--orders", options->settings.orders,
                      "Radiance of each order of scattering from 1 to this, 0 to 64, with its standard error, too")
+        ->capture_default_str();
+    command
+        ->add_option(
+            "--tracking", options->tracking,
+            "How transmittances are found: quadrature (quick; misses a little), or ratio (ratio tracking: no bias, more "
+            "noise; the first order by paths, too; not with --orders)")
+        ->check(CLI::IsMember({"quadrature", "ratio"}))
         ->capture_default_str();
     command->add_option("--seed", options->settings.seed, "Another seed, other paths: 0 to 4095")->capture_default_str();
     command

@@ -56,6 +56,8 @@ TraceParameters parameters_of(const AtmosphereParameters& air, const TraceSettin
     TraceParameters parameters = describe(air);
     parameters.emplace_back("spectral", settings.spectral);
     parameters.emplace_back("orders", std::to_string(settings.orders));
+    // Left out otherwise: tables and checkpoints from before there was a choice stay what they are.
+    if (settings.tracking == models::ReferenceSettings::Tracking::ratio) parameters.emplace_back("tracking", "ratio");
     parameters.emplace_back("seed", std::to_string(settings.seed));
     // Threads of a CPU make no difference; another GPU rounds otherwise.
     parameters.emplace_back("backend", backend.cpu() ? backend.name() : backend.describe());

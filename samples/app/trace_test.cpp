@@ -1,6 +1,7 @@
 #include "app/trace.h"
 
 #include "app/trace_checkpoint.h"
+#include "app/trace_run.h"
 #include "io/test_files.h"
 
 #include <aureole/models/aureole.h>
@@ -10,6 +11,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -17,6 +19,8 @@ using namespace aureole;
 using namespace aureole::app;
 
 namespace {
+
+using Tracking = models::ReferenceSettings::Tracking;
 
 std::unique_ptr<Backend> cpu_double(unsigned threads = 0) { return open_backend({.name = "cpu-double", .threads = threads}); }
 
@@ -269,6 +273,29 @@ TEST_CASE("trace: in wavelengths, against tables in wavelengths") {
     CHECK(apart_from_rgb > 0.1);
 }
 
+TEST_CASE("trace: ratio tracking finds what quadrature finds, by paths alone, and says so") {
+    const auto backend = cpu_double();
+    const std::vector<ProbeRow> rows{{60, 0.2, 60, 90}};
+    TraceSettings nodes = quick(), ratio = quick();
+    ratio.tracking = Tracking::ratio;
+    ratio.seed = 1;
+    Tracer by_nodes(*backend, presets::earth(), rows, nodes), by_ratio(*backend, presets::earth(), rows, ratio);
+    finish(by_nodes);
+    finish(by_ratio);
+    const TraceResult a = by_nodes.result(0), b = by_ratio.result(0);
+    CHECK(b.first_air == a.first_air);
+    for (int c = 0; c < 3; ++c) {
+        CHECK(b.all.error[c] > 0);
+        CHECK(std::abs(a.all.radiance[c] - b.all.radiance[c]) < 4 * std::hypot(a.all.error[c], b.all.error[c]));
+    }
+    const auto tells = [&](const TraceSettings& settings) {
+        return std::ranges::count(parameters_of(presets::earth(), settings, *backend),
+                                  std::pair<std::string, std::string>("tracking", "ratio"));
+    };
+    CHECK(tells(nodes) == 0);
+    CHECK(tells(ratio) == 1);
+}
+
 TEST_CASE("trace: another trace's checkpoint is refused by what differs") {
     const auto backend = cpu_double();
     const AtmosphereParameters earth = presets::earth();
@@ -334,6 +361,8 @@ TEST_CASE("trace: settings and rows out of range are named") {
     CHECK(contains(says([](TraceSettings& s) { s.error = std::nan(""); }), "error"));
     CHECK(contains(says([](TraceSettings& s) { s.max_paths = 4095; }), "max_paths: 4095"));
     CHECK(contains(says([](TraceSettings& s) { s.orders = 65; }), "orders: 65"));
+    CHECK(
+        contains(says([](TraceSettings& s) { s.orders = 2, s.tracking = Tracking::ratio; }), "orders, with ratio tracking: 2"));
     CHECK(contains(says([](TraceSettings& s) { s.seed = 4096; }), "seed: 4096"));
     CHECK(contains(says([](TraceSettings& s) { s.spectral = "2"; }), "spectral"));
     CHECK(contains(says([](TraceSettings&) {}, {}), "rows"));

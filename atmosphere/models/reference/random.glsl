@@ -28,4 +28,23 @@ vec4 random_numbers(uint x, uint y, uint z, uint w) {
     return vec4(unit_number(x), unit_number(y), unit_number(z), unit_number(w));
 }
 
+// Counters of random numbers, and the next four of them. Those that tracking.glsl takes stand apart from the path's own, so that a path
+// goes the same way whichever way its transmittances are found, but for choices that hang on its weight.
+struct Draws {
+    uint x, y, path, next;
+};
+vec4 next_numbers(INOUT(Draws) draws) {
+    vec4 numbers = random_numbers(draws.x, draws.y, draws.path, draws.next);
+    draws.next += 1u;
+    return numbers;
+}
+Draws tracking_draws(uint x, uint y, uint path, uint seed) {
+    Draws draws;
+    draws.x = x;
+    draws.y = y;
+    draws.path = path + 2147483648u;  // paths are fewer
+    draws.next = seed;
+    return draws;
+}
+
 #endif

@@ -18,9 +18,9 @@ namespace {
 using models::ReferenceSettings;
 
 constexpr std::array<std::string_view, 2> pass_names{"film", "light paths"};
+constexpr std::array<std::string_view, 1> air_pass_names{"profile bends"};
+constexpr std::uint32_t bend_block = 64;  // bends.glsl
 constexpr std::uint32_t film_layers = 3;  // film.glsl
-/// Of one invocation: reference.md says what limits it.
-constexpr int most_paths = 32;
 
 class ReferenceModel final : public Model {
 public:
@@ -37,8 +37,8 @@ public:
                             std::to_string(settings_.film_width) + " and " + std::to_string(rows));
     }
     [[nodiscard]] bool has_shadows() const noexcept override { return false; }
-    [[nodiscard]] std::unique_ptr<ModelAir> make_air(AirResources&, const AtmosphereParameters&) const override {
-        return std::make_unique<ReferenceAir>(settings_);
+    [[nodiscard]] std::unique_ptr<ModelAir> make_air(AirResources& shared, const AtmosphereParameters&) const override {
+        return std::make_unique<ReferenceAir>(shared, settings_);
     }
 
 private:
@@ -54,16 +54,26 @@ ViewBlock for_paths(ViewBlock block) {
     return block;
 }
 
+bool is_tracked(const ReferenceSettings& s) { return s.tracking == ReferenceSettings::Tracking::ratio; }
+
+/// Paths of one invocation: reference.md says what limits them.
+int most_paths(const ReferenceSettings& s) { return is_tracked(s) ? 8 : 32; }
 /// Invocations that share the paths of a direction of the light.
-int light_parts(const ReferenceSettings& s) { return std::max((s.light_paths + most_paths - 1) / most_paths, 1); }
+int light_parts(const ReferenceSettings& s) {
+    const int most = most_paths(s);
+    return std::max((s.light_paths + most - 1) / most, 1);
+}
 
 Specialize specialization(const ReferenceSettings& s) {
     Specialize values;
     values.set(8, s.nodes).set(10, true).set(11, false);
-    values.set(26, s.paths_per_frame).set(27, s.max_order).set(28, s.sampled_first_order).set(29, s.first_order_parts);
+    values.set(26, s.paths_per_frame)
+        .set(27, s.max_order)
+        .set(28, s.sampled_first_order || is_tracked(s))
+        .set(29, s.first_order_parts);
     values.set(30, s.roulette_order).set(31, s.seed).set(32, s.film_width > 0);
     values.set(33, s.show == ReferenceSettings::Show::standard_error);
-    values.set(34, s.light_paths).set(35, light_parts(s));
+    values.set(34, s.light_paths).set(35, light_parts(s)).set(36, is_tracked(s));
     return values;
 }
 /// The same without what the light's directions do not depend on: where the camera looks, and how bright suns are.
@@ -77,12 +87,48 @@ bool same_block(const ViewBlock& a, const ViewBlock& b) { return std::memcmp(&a,
 
 }  // namespace
 
-std::unique_ptr<ModelView> ReferenceAir::make_view(ViewResources& shared, const ViewSettings& settings) {
-    return std::make_unique<ReferenceView>(shared, settings, settings_);
+ReferenceAir::ReferenceAir(AirResources& shared, const ReferenceSettings& settings)
+    : settings_(settings), has_bends_(is_tracked(settings) && shared.has_profiles) {
+    if (!has_bends_) return;
+    const rhi::Extent profiles = shared.profile_table.extent;
+    const rhi::Extent extent{(profiles.width + bend_block - 1) / bend_block, profiles.height, 1};
+    bends_ = shared.objects.texture(
+        {"profile bends", rhi::Dimension::d2, rhi::Format::rgba32_float, extent, rhi::Usage::sampled | rhi::Usage::storage});
+    pipeline_ = shared.objects.compute(shaders::reference_bends, {});
+    const rhi::Binding slots[] = {{0, shared.profile_table.handle, shared.nearest, {}}, {1, bends_.handle, {}, {}}};
+    bindings_ = shared.objects.bindings("profile bends", pipeline_, slots);
 }
 
-ReferenceView::ReferenceView(ViewResources& shared, const ViewSettings& view, const ReferenceSettings& settings)
+std::span<const std::string_view> ReferenceAir::passes() const noexcept {
+    return std::span(air_pass_names).first(has_bends_ ? 1 : 0);
+}
+
+void ReferenceAir::restart(const AtmosphereParameters& /*parameters*/, const AtmosphereBlock& /*before*/,
+                           const AtmosphereBlock& /*fresh*/) {
+    stale_ = true;
+}
+
+bool ReferenceAir::record(rhi::CommandList& commands, const AtmosphereBlock& /*block*/, std::span<PassReport> reports,
+                          TimestampSlots timestamps) {
+    if (!has_bends_ || (!stale_ && ready())) return false;
+    PassScope scope(commands, reports[0], timestamps, 0);
+    move(commands, {{&bends_, rhi::State::storage_write}});
+    scope.dispatch(shaders::reference_bends, pipeline_, bindings_, bends_.extent);
+    move(commands, {{&bends_, rhi::State::sampled}});
+    reports[0].bytes_written = bends_.bytes;
+    stale_ = false;
+    return true;
+}
+
+std::unique_ptr<ModelView> ReferenceAir::make_view(ViewResources& shared, const ViewSettings& settings) {
+    return std::make_unique<ReferenceView>(shared, settings, settings_,
+                                           has_bends_ ? bends_.handle : shared.air.profile_table.handle);
+}
+
+ReferenceView::ReferenceView(ViewResources& shared, const ViewSettings& view, const ReferenceSettings& settings,
+                             rhi::Texture bends)
     : settings_(settings),
+      bends_(bends),
       rule_(quadrature_block(settings.nodes)),
       quadrature_(shared.objects.constants("reference quadrature", sizeof rule_)),
       has_light_(view.light) {
@@ -94,6 +140,7 @@ ReferenceView::ReferenceView(ViewResources& shared, const ViewSettings& view, co
                 .composite_raster = &shaders::reference_composite_raster,
                 .light = &shaders::reference_light,
                 .tables = {{2, has_film() ? film_.handle : shared.air.profile_table.handle, shared.air.nearest, {}},
+                           bends_binding(shared),
                            {11, {}, {}, quadrature_.handle}},
                 .specialization = {values.begin(), values.end()},
                 .aerial_perspective = view.aerial_perspective};
@@ -115,6 +162,7 @@ void ReferenceView::make_film(ViewResources& shared) {
                      rhi::Binding{1, {}, {}, shared.block.handle},
                      rhi::Binding{2, shared.air.profile_table.handle, shared.air.nearest, {}},
                      rhi::Binding{3, next_.handle, {}, {}},
+                     bends_binding(shared),
                      rhi::Binding{7, shared.air.phase_table.handle, shared.air.nearest, {}},
                      rhi::Binding{10, shared.air.profile_table.handle, shared.air.nearest, {}},
                      rhi::Binding{11, {}, {}, quadrature_.handle},
@@ -139,6 +187,7 @@ void ReferenceView::make_light(ViewResources& shared) {
     light_bindings_ = shared.objects.bindings("light paths", light_pipeline_,
                                               {{0, {}, {}, shared.air.block.handle},
                                                {1, {}, {}, shared.block.handle},
+                                               bends_binding(shared),
                                                {7, shared.air.phase_table.handle, shared.air.nearest, {}},
                                                {8, {}, {}, zeniths_.handle},
                                                {9, light_.handle, {}, {}},
@@ -189,7 +238,7 @@ void ReferenceView::record_film(rhi::CommandList& commands, PassReport& report, 
     report.bytes_written = 0;
     int left = std::min(settings_.paths_per_frame, settings_.max_paths - paths_);
     do {  // once without paths: for what is known without them
-        const int count = std::min(left, most_paths);
+        const int count = std::min(left, most_paths(settings_));
         move(commands, {{&next_, rhi::State::storage_write}});
         const glm::vec4 push(static_cast<float>(paths_), static_cast<float>(count), 0.0F, 0.0F);
         scope.dispatch(shaders::reference_film, pipeline_, started_ ? go_on_ : start_,

@@ -4,14 +4,15 @@
 //   L(v) = integral T(0, t) sum_c sigma_c(t) integral p_c(v . w) L'(t, w) dw dt + T(0, end) albedo / pi integral cos L'(end, w) dw,
 // where L' is the suns' light and L itself. A path draws one term of the sum, a place t and a direction w for each of the integrals,
 // and goes on there with the weight (what is true) / (density of the draw). From each of its legs the suns' light is taken at one
-// place, exactly: their directions are known, their transmittance is a quadrature, the ground's shadow is a comparison of cosines
-// (next-event estimation; Pharr, Jakob & Humphreys 2023, section 14.2). A leg always ends in the air or on the ground: light that
-// would leave is no part of the sum, so paths are not spent on it, their weight says how much was left. All three channels travel
-// together: the density of each draw is that of the mixture over the channels, so no weight can grow large in one of them.
+// place: their directions are known, their transmittance is a quadrature or an estimate without bias (tracking.glsl), the ground's
+// shadow is a comparison of cosines (next-event estimation; Pharr, Jakob & Humphreys 2023, section 14.2). A leg always ends in the air
+// or on the ground: light that would leave is no part of the sum, so paths are not spent on it, their weight says how much was left.
+// All three channels travel together: the density of each draw is that of the mixture over the channels, so no weight can grow large in
+// one of them.
 //
 // The first order is an integral along a line and needs no paths: Gauss nodes (march.glsl), or, if FIRST_ORDER_SAMPLED, as the rest.
 //
-// Needs `atm`, `view`, `quadrature`, triplet.glsl and both of the user's tables.
+// Needs `atm`, `view`, `quadrature`, triplet.glsl and both of the user's tables; tracking.glsl has slot 4.
 #ifndef AUREOLE_REFERENCE_GLSL
 #define AUREOLE_REFERENCE_GLSL
 
@@ -30,6 +31,7 @@ SPEC_BOOL(28, FIRST_ORDER_SAMPLED, false)
 SPEC_INT(29, FIRST_ORDER_PARTS, 16)      // 1, 2, 4, 8, 16: pieces that the ray is cut into
 SPEC_INT(30, ROULETTE_ORDER, 4)          // from here on a path survives with the share that its weight keeps
 SPEC_INT(31, SEED, 0)
+SPEC_BOOL(36, TRACKED, false)            // transmittances by tracking.glsl in place of quadrature
 
 #include "common/constants.glsl"
 #include "common/geometry.glsl"
@@ -42,6 +44,7 @@ SPEC_INT(31, SEED, 0)
 
 #include "common/ground.glsl"
 #include "models/reference/leg.glsl"
+#include "models/reference/tracking.glsl"
 
 CONST(int, LAST_ORDER, 4096)  // of paths without a limit
 
@@ -55,17 +58,29 @@ vec3 turned(vec3 axis, real cosine, real u) {
     return normalize(cosine * axis + sine * (cos(azimuth) * a + sin(azimuth) * b));
 }
 
+// Transmittance of the first `t` km of a ray: by nodes, or an estimate without bias.
+vec3 transmittance_along(real altitude, real mu, real t, INOUT(Draws) draws) {
+    if (TRACKED) return tracked_transmittance(altitude, mu, t, draws);
+    return exp(-optical_depth_along(altitude, mu, t));
+}
+// To a sun in the same way.
+vec3 transmittance_of_beam(real altitude, real mu_s, INOUT(Draws) draws) {
+    if (!TRACKED) return transmittance_to_sun(altitude, mu_s);
+    if (hits_ground(altitude, mu_s)) return vec3(real(0));
+    return tracked_transmittance(altitude, mu_s, distance_to_top(altitude, mu_s), draws);
+}
+
 // Light of the suns from a place on the leg, in the air or on the ground at its end, on its way along the leg, of this weight.
-vec3 light_from(Walk walk, real t, bool on_ground, vec3 weight, int only) {
+vec3 light_from(Walk walk, real t, bool on_ground, vec3 weight, int only, INOUT(Draws) draws) {
     Walk there = walk_on(walk, t, on_ground);
     Medium air = sample_medium(there.altitude);
-    vec3 through = exp(-optical_depth_along(walk.altitude, walk.mu, t));
+    vec3 through = transmittance_along(walk.altitude, walk.mu, t, draws);
     vec3 radiance = vec3(real(0));
     for (int sun = 0; sun < SUN_COUNT; ++sun) {
         vec3 towards = vec3(view.sun_direction[sun]);
         real mu_s = dot(there.up, towards);
         vec3 sent = on_ground ? max(mu_s, real(0)) / PI * vec3(atm.ground_albedo) : scattered_to(air, walk.direction, towards);
-        vec3 lit = sent * transmittance_to_sun(there.altitude, mu_s);
+        vec3 lit = sent * transmittance_of_beam(there.altitude, mu_s, draws);
         radiance += lit_by(sun, only, IN_TRIPLETS ? weight * (through * lit) : lit);
     }
     return IN_TRIPLETS ? radiance : weight * (through * radiance);
@@ -81,14 +96,15 @@ real rough_ground_light(Walk walk, Leg leg, vec3 weight, int only) {
     return dot(weight, ground_radiance(leg.depth, irradiance));
 }
 // One draw of the light along a leg.
-vec3 light_on_leg(Walk walk, Leg leg, vec3 weight, vec4 random, int only) {
+vec3 light_on_leg(Walk walk, Leg leg, vec3 weight, vec4 random, int only, INOUT(Draws) draws) {
     LegLight light = light_of(leg, weight);
     real ground = leg.ground ? rough_ground_light(walk, leg, weight, only) : real(0);
     real share = ground > 0 ? (TERM_COUNT == 0 ? real(1) : clamp(ground / (ground + light.whole), real(0.05), real(0.95))) : real(0);
     bool on_ground = random.x < share;
     Place place = draw_lit_place(leg, light, weight, random.y, random.z);
     real density = on_ground ? share : place.density * (1 - share);
-    return density > 0 ? light_from(walk, on_ground ? leg.end : place.t, on_ground, weight / density, only) : vec3(real(0));
+    if (!(density > 0)) return vec3(real(0));
+    return light_from(walk, on_ground ? leg.end : place.t, on_ground, weight / density, only, draws);
 }
 
 // Light scattered or reflected once, by quadrature. A kernel may take other values of phase functions by defining
@@ -222,6 +238,7 @@ vec3 path_radiance(Walk walk, Leg leg, int only, uint x, uint y, uint path) {
     vec3 radiance = vec3(real(0));
     vec3 weight = vec3(real(1));
     uint draw = uint(SEED) * 2654435769u;
+    Draws draws = tracking_draws(x, y, path, draw);
     int limit = MAX_ORDER > 0 ? MAX_ORDER : LAST_ORDER;
     real kept = real(0);  // weight that roulette keeps up
     for (int order = 1; order <= limit; ++order) {
@@ -229,7 +246,7 @@ vec3 path_radiance(Walk walk, Leg leg, int only, uint x, uint y, uint path) {
         vec4 whither = random_numbers(x, y, path, draw + 1u);
         vec4 light = random_numbers(x, y, path, draw + 2u);
         draw += 3u;
-        if (order > 1 || FIRST_ORDER_SAMPLED) radiance += light_on_leg(walk, leg, weight, light, only);
+        if (order > 1 || FIRST_ORDER_SAMPLED) radiance += light_on_leg(walk, leg, weight, light, only, draws);
         if (order <= ROULETTE_ORDER) kept = largest(weight);
 
         // The ground, or the air before it, by what the stand-in says of their shares.
@@ -246,7 +263,7 @@ vec3 path_radiance(Walk walk, Leg leg, int only, uint x, uint y, uint path) {
         place.t = leg.end;
         place.density = real(1);
         if (!on_ground) place = draw_place(leg, weight, EVEN_SHARE / real(order), where.y, where.z);
-        weight *= exp(-optical_depth_along(walk.altitude, walk.mu, place.t)) / (on_ground ? ground_share : 1 - ground_share);
+        weight *= transmittance_along(walk.altitude, walk.mu, place.t, draws) / (on_ground ? ground_share : 1 - ground_share);
         weight = place.density > 0 ? weight / place.density : vec3(real(0));
         walk = walk_on(walk, place.t, on_ground);
 

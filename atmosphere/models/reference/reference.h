@@ -1,4 +1,5 @@
-// The path tracer's recorder. It keeps nothing of the air; of a view, the film, if one is asked for.
+// The path tracer's recorder. Of the air it keeps how tabulated profiles bend, if transmittances are tracked; of a view, the
+// film, if one is asked for.
 #pragma once
 
 #include "models/model.h"
@@ -9,16 +10,29 @@ namespace aureole::detail {
 
 class ReferenceAir final : public ModelAir {
 public:
-    explicit ReferenceAir(const models::ReferenceSettings& settings) : settings_(settings) {}
+    ReferenceAir(AirResources& shared, const models::ReferenceSettings& settings);
+    [[nodiscard]] std::span<const std::string_view> passes() const noexcept override;
+    void restart(const AtmosphereParameters& parameters, const AtmosphereBlock& before, const AtmosphereBlock& fresh) override;
+    void invalidate() noexcept override { forget(bends_); }
+    bool record(rhi::CommandList& commands, const AtmosphereBlock& block, std::span<PassReport> reports,
+                TimestampSlots timestamps) override;
+    [[nodiscard]] bool ready() const noexcept override { return !has_bends_ || bends_.state != rhi::State::undefined; }
     [[nodiscard]] std::unique_ptr<ModelView> make_view(ViewResources& shared, const ViewSettings& settings) override;
 
 private:
     models::ReferenceSettings settings_;
+    bool has_bends_;
+    bool stale_ = true;
+    TrackedTexture bends_;  ///< bends.glsl
+    rhi::Pipeline pipeline_;
+    rhi::BindingSet bindings_;
 };
 
 class ReferenceView final : public ModelView {
 public:
-    ReferenceView(ViewResources& shared, const ViewSettings& view, const models::ReferenceSettings& settings);
+    /// `bends`: of tabulated profiles, or whatever stands in where there is no need of them.
+    ReferenceView(ViewResources& shared, const ViewSettings& view, const models::ReferenceSettings& settings,
+                  rhi::Texture bends);
 
     [[nodiscard]] std::span<const std::string_view> passes() const noexcept override;
     [[nodiscard]] const ModelKernels& kernels() const noexcept override { return kernels_; }
@@ -35,11 +49,13 @@ private:
     [[nodiscard]] bool film_due() const noexcept;
     void make_film(ViewResources& shared);
     void make_light(ViewResources& shared);
+    [[nodiscard]] rhi::Binding bends_binding(const ViewResources& shared) const { return {4, bends_, shared.air.nearest, {}}; }
     void restart_film() noexcept;
     void record_film(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps);
     void record_light(rhi::CommandList& commands, PassReport& report, TimestampSlots timestamps, std::uint32_t index);
 
     models::ReferenceSettings settings_;
+    rhi::Texture bends_;
     QuadratureBlock rule_;
     TrackedBuffer quadrature_;
     /// Kernels do not write what they read: a frame's sums are made in the second and copied to the first.

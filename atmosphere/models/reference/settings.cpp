@@ -19,6 +19,7 @@ constexpr std::size_t layers = 3;  // of the film
 void ReferenceSettings::validate() const {
     const ReferenceSettings& s = *this;
     detail::check_enum("reference.show", s.show, ReferenceSettings::Show::standard_error, "radiance or standard_error");
+    detail::check_enum("reference.tracking", s.tracking, ReferenceSettings::Tracking::ratio, "quadrature or ratio");
     check("reference.paths_per_frame", s.paths_per_frame, 0, 65536);
     check("reference.max_paths", s.max_paths, 1, 1 << 24);
     const bool none = s.film_width == 0 && s.film_height == 0;

@@ -1,5 +1,5 @@
-// Path tracing: unbiased radiance of all orders of scattering, for truth and for stills. Noise instead of error; it says how
-// much. See models/reference/reference.md.
+// Path tracing: radiance of all orders of scattering, for truth and for stills. Noise, of which it says how much; and with
+// Tracking::quadrature the error of Gauss nodes, with Tracking::ratio none. See models/reference/reference.md.
 #pragma once
 
 #include <aureole/model.h>
@@ -17,8 +17,17 @@ struct ReferenceSettings {
     };
     Show show = Show::radiance;
 
+    /// How transmittances are found.
+    enum class Tracking : std::uint8_t {
+        quadrature,  ///< By `nodes` Gauss nodes, which miss a little: reference.md has figures.
+        ratio,       ///< By ratio tracking between bounds of the profiles: no bias. The first order is then found by paths, too
+                     ///< (but for the light table's), whatever sampled_first_order says. The sun's disk, and what else lies
+                     ///< beyond the air, is seen through transmittances by nodes as before.
+    };
+    Tracking tracking = Tracking::quadrature;
+
     /// Paths of a pixel in each composite, and of a texel of the film in each View::record until it has max_paths. In [0,
-    /// 65536]: with 0 only what is known without paths is shown. The film takes them 32 at a time; a composite all at once,
+    /// 65536]: with 0 only what is known without paths is shown. The film takes them 32 at a time (8 with Tracking::ratio); a composite all at once,
     /// which a GPU must finish before its driver loses patience, and of which Mesa's llvmpipe finishes some 130 (reference.md).
     int paths_per_frame = 16;
     /// Of a texel of the film: then it is left as it is. In [1, 16777216].
@@ -31,12 +40,13 @@ struct ReferenceSettings {
     /// Events of scattering and reflection by the ground that light may go through; 0: any number (4096 at most, of which
     /// roulette leaves nothing). In [0, 4096].
     int max_order = 0;
-    /// Light that has been scattered or reflected once by paths too: unbiased where nodes are not (fog that is thin compared
-    /// with the ray), and noisier. False: by Gauss nodes.
+    /// Light that has been scattered or reflected once by paths too: better where nodes are too far apart (fog that is thin
+    /// compared with the ray), and noisier. False: by Gauss nodes.
     bool sampled_first_order = false;
     /// Pieces of the camera's ray for the first order: 1, 2, 4, 8 or 16, with `nodes` nodes on each smooth part of each.
     int first_order_parts = 16;
-    /// Gauss nodes of every transmittance. In [4, 16]. What they miss is the bias: reference.md has figures.
+    /// Gauss nodes of the first order and, with Tracking::quadrature, of every transmittance. In [4, 16]. What they miss is the
+    /// bias.
     int nodes = 16;
     /// From this event on paths end at random, and survivors count for them. In [1, 4096]. More: less noise, more work.
     int roulette_order = 4;

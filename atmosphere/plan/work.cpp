@@ -14,21 +14,22 @@ namespace {
 // to 45 then take the same time a unit, within 15 % (plan.md).
 constexpr double node_of_air = 4, node_of_view = 9.5;
 constexpr double tabulated_profile = 1;  // more, for each
-// A node of a column through one exponential term, in the same unit; of a tent's two parts, and of a table's eight
-// (column.glsl), so many times more: as measured likewise.
-constexpr double node_of_column = 1.4, column_of_tent = 3.2, column_of_table = 8;
+// A node of a column through an exponential term, in the same unit, measured likewise: where all terms are exponential, and the
+// kernel needs no cuts (column.glsl); else of each part so many times more.
+constexpr double node_of_column = 0.7, cut_column = 2.6;
+constexpr int parts_of_tent = 2, parts_of_table = 8;
 
 double texels(const rhi::Extent& e) { return double(e.width) * e.height * e.depth; }
 
-/// What a column through all terms takes, beside one through an exponential one.
+/// What a column through all terms takes, beside one through a single exponential one.
 double column_work(const AirStructure& air) {
     constexpr int exponential = 0, tent = 1;  // medium.glsl
-    double work = 0;
+    int parts = 0;
     for (int term = 0; term < air.term_count; ++term) {
         const int kind = air.term_kinds >> 2 * term & 3;
-        work += kind == exponential ? 1 : kind == tent ? column_of_tent : column_of_table;
+        parts += kind == exponential ? 1 : kind == tent ? parts_of_tent : parts_of_table;
     }
-    return std::max(work, 1.0);
+    return std::max(parts, 1) * (parts > air.term_count ? cut_column : 1);
 }
 
 /// Of `aureole`, pass by pass as MultiScatterPass records them.

@@ -44,7 +44,7 @@ struct ForetoldCost {
     /// 0.3: foretold 30 % too much.
     [[nodiscard]] double off() const { return foretold_ms / measured_ms - 1; }
     /// Of what takes less than this nobody asks for a share: a hundredth of the cheapest sky's frame, and a clock's noise.
-    static constexpr double least_ms = 0.1;
+    static constexpr double least_ms = 0.2;
     [[nodiscard]] bool within(double share) const {
         return std::abs(foretold_ms - measured_ms) <= share * std::max(measured_ms, least_ms);
     }

@@ -5,7 +5,14 @@
 
 #include <aureole/models/single.h>
 
+#include <string>
+
 namespace aureole::detail {
+
+/// As Model::tables_for has it.
+[[nodiscard]] inline ModelTable dome_table(const models::Dome& dome, int view_steps) {
+    return {"dome", dome.size, dome.format, std::to_string(view_steps) + " steps a ray"};
+}
 
 class DomePass {
 public:

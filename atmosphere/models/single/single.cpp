@@ -82,6 +82,10 @@ public:
     explicit SingleModel(const SingleSettings& settings) : settings_(settings) { SingleModel::validate(); }
     [[nodiscard]] std::string_view name() const noexcept override { return "single"; }
     [[nodiscard]] const QualitySettings& quality() const noexcept override { return no_tables_; }
+    [[nodiscard]] std::vector<ModelTable> tables_for(const AtmosphereParameters&) const override {
+        if (!settings_.dome.used()) return {};
+        return {dome_table(settings_.dome, settings_.view_steps)};
+    }
     void validate() const override { models::validate(settings_); }
     void require(const rhi::Device& device) const override { require_dome(device, settings_.dome); }
     [[nodiscard]] std::unique_ptr<ModelAir> make_air(AirResources& shared, const AtmosphereParameters&) const override {

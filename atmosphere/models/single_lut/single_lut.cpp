@@ -33,8 +33,10 @@ public:
     [[nodiscard]] std::string_view name() const noexcept override { return "single-lut"; }
     [[nodiscard]] const QualitySettings& quality() const noexcept override { return quality_; }
     [[nodiscard]] std::vector<ModelTable> tables_for(const AtmosphereParameters&) const override {
-        return {{"transmittance table", settings_.table, settings_.table_format,
-                 std::to_string(settings_.table_nodes) + " nodes a ray"}};
+        std::vector<ModelTable> tables{{"transmittance table", settings_.table, settings_.table_format,
+                                        std::to_string(settings_.table_nodes) + " nodes a ray"}};
+        if (settings_.dome.used()) tables.push_back(dome_table(settings_.dome, settings_.view_steps));
+        return tables;
     }
     void validate() const override { models::validate(settings_); }
     void require(const rhi::Device& device) const override {

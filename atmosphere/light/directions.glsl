@@ -24,7 +24,7 @@ LightRing light_ring(int ring) {
     real elevation = (below ? -angle : angle) - view.space.z;
     LightRing result;
     result.mu = sin(elevation);
-    result.sine = cos(elevation);
+    result.sine = max(cos(elevation), real(0));  // the last node of a planet that is a speck lies a rounding beyond the nadir
     result.weight = node.y * range * 2 * s * result.sine * (2 * PI / real(LIGHT_AZIMUTHS));
     return result;
 }

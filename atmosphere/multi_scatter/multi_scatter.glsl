@@ -59,6 +59,27 @@ real next_azimuthal(int m, real x, real sine_squared, real c, real c_before) {
     return (m == 0 ? x : 2 * x * c) - sine_squared * c_before;
 }
 
+// y_lm / norm at one direction, by all steps of them.
+real harmonic(int l, int m, real z, real x) {
+    real sine_squared = (1 - z) * (1 + z);
+    real p = real(1);
+    real c = real(1);
+    real c_before = real(0);
+    for (int k = 0; k < m; ++k) {
+        p = next_diagonal(k, p);
+        real c_next = next_azimuthal(k, x, sine_squared, c, c_before);
+        c_before = c;
+        c = c_next;
+    }
+    real p_before = real(0);
+    for (int k = m; k < l; ++k) {
+        real p_next = next_degree(k, m, z, p, p_before);
+        p_before = p;
+        p = p_next;
+    }
+    return p * c;
+}
+
 #ifdef AUREOLE_MULTI_SCATTER_TABLE
 vec3 multi_scatter_layer(vec2 position, int layer, ivec2 size, int rows) {
     real row = real(layer * rows) + real(0.5) + position.y * real(rows - 1);

@@ -23,27 +23,6 @@ PUSH_CONSTANTS(MultiScatterPass, pass)
 
 LOCAL_SIZE(32, 1, 1)
 
-// y_lm / norm at one direction (multi_scatter.glsl gives the recurrences).
-real harmonic(int l, int m, real z, real x) {
-    real sine_squared = (1 - z) * (1 + z);
-    real p = real(1);
-    real c = real(1);
-    real c_before = real(0);
-    for (int k = 0; k < m; ++k) {
-        p = next_diagonal(k, p);
-        real c_next = next_azimuthal(k, x, sine_squared, c, c_before);
-        c_before = c;
-        c = c_next;
-    }
-    real p_before = real(0);
-    for (int k = m; k < l; ++k) {
-        real p_next = next_degree(k, m, z, p, p_before);
-        p_before = p;
-        p = p_next;
-    }
-    return p * c;
-}
-
 // The orders left out, relative to this one: r + r^2 + ... with r the ratio of the last two orders.
 vec3 remaining_orders(vec3 current, vec3 before) {
     vec3 ratio = clamp(current / max(before, vec3(LEAST_RADIANCE)), vec3(real(0)), vec3(pass.flags.z));

@@ -45,8 +45,10 @@ vec3 column(real altitude, real mu, real t0, real t1, bool upwards) {
             if (kind == PROFILE_TENT) {
                 real half_width = 1 / atm.term_profile[i].y;
                 real outer = part == 0 ? tip - half_width : tip + half_width;
-                real p = clamp(distance_to_altitude(altitude, mu, max(outer, real(0)), upwards), t0, t1);
-                real q = clamp(distance_to_altitude(altitude, mu, max(tip, real(0)), upwards), t0, t1);
+                // Below the ground nothing is cut off: a ray that grazes it would lose what a rounding puts there.
+                real foot = upwards ? t0 : t1;
+                real p = outer > 0 ? clamp(distance_to_altitude(altitude, mu, outer, upwards), t0, t1) : foot;
+                real q = tip > 0 ? clamp(distance_to_altitude(altitude, mu, tip, upwards), t0, t1) : foot;
                 from = min(p, q);
                 to = max(p, q);
             }

@@ -183,14 +183,21 @@ glm::dvec3 Picture::direction(std::uint32_t x, std::uint32_t y) const {
 }
 
 std::vector<Rgb> Picture::render(double distance_m, const Rgb& color) {
+    constexpr std::size_t pixels = std::size_t{width} * height;
+    return render(std::vector<double>(pixels, distance_m), std::vector<Rgb>(pixels, color));
+}
+
+std::vector<Rgb> Picture::render(std::span<const double> distances_m, std::span<const Rgb> colors_in) {
     const glm::dvec3 forward = glm::dvec3(0, 0, -1) * glm::dmat3(camera_.view);
     std::vector<float> colors, depths;
     for (std::uint32_t y = 0; y < height; ++y)
         for (std::uint32_t x = 0; x < width; ++x) {
-            for (int c = 0; c < 3; ++c) colors.push_back(static_cast<float>(color[c]));
+            const std::size_t i = std::size_t{y} * width + x;
+            for (int c = 0; c < 3; ++c) colors.push_back(static_cast<float>(colors_in[i][c]));
             colors.push_back(1);
             // Reversed infinite depth (aureole::look): near / (distance along the axis).
-            depths.push_back(static_cast<float>(camera_.projection[3][2] / (distance_m * glm::dot(direction(x, y), forward))));
+            depths.push_back(
+                static_cast<float>(camera_.projection[3][2] / (distances_m[i] * glm::dot(direction(x, y), forward))));
         }
     machine_.upload(targets_.scene_color, colors, filled_ ? rhi::State::sampled : rhi::State::undefined, rhi::State::sampled);
     machine_.upload(targets_.scene_depth, depths, filled_ ? rhi::State::depth_read : rhi::State::undefined,

@@ -92,6 +92,9 @@ public:
     [[nodiscard]] glm::dvec3 direction(std::uint32_t x, std::uint32_t y) const;
     /// Row by row: geometry of this colour at this distance from the camera in every pixel.
     [[nodiscard]] std::vector<Rgb> render(double distance_m, const Rgb& color);
+    /// The same, each pixel with its own: width x height of each.
+    [[nodiscard]] std::vector<Rgb> render(std::span<const double> distances_m, std::span<const Rgb> colors);
+    [[nodiscard]] Atmosphere& air() { return air_; }
     [[nodiscard]] View& view() { return view_; }
 
 private:

@@ -1,20 +1,16 @@
 // Air at a point and along a ray: density, phase functions, optical depth.
+#include "stability/depth.h"
 #include "stability/formulas.h"
 #include "stability/worst.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 using namespace aureole;
 using namespace aureole::stability;
 
 namespace {
-
-constexpr double km = 1e-3;
-template <class real>
-constexpr double step = static_cast<double>(std::numeric_limits<real>::epsilon());
 
 bool within(double x, double low, double high) { return x >= low && x <= high; }
 
@@ -97,19 +93,6 @@ void check_slab(Ledger& ledger, const Case& c, kernels::StabilityFormulas<real>&
     ledger.add("mean transmittance is (1 - exp(-x)) / x", c,
                std::abs(static_cast<double>(mean.y) - exact) / (std::max(8 * step<real>, 2e-9) * exact));
 }
-
-/// A ray from a place in the shell to where it ends.
-template <class real>
-struct Path {
-    Path(const Case& c, kernels::StabilityFormulas<real>& k) {
-        h = std::min(static_cast<real>(c.altitude_in_air_m() * km), k.shell_thickness());
-        mu = std::max(static_cast<real>(std::cos(c.view_zenith())), real(-1));
-        ground = k.hits_ground(h, mu);
-        length = ground ? k.distance_to_ground(h, mu) : k.distance_to_top(h, mu);
-    }
-    real h, mu, length;
-    bool ground;
-};
 
 template <class real>
 void check_depth(Ledger& ledger, const Case& c, kernels::StabilityFormulas<real>& k) {

@@ -314,6 +314,17 @@ std::vector<Sun> Case::suns() const {
     return suns;
 }
 
+double finest_m(const Case& c) {
+    double least = std::min(c.planet().top_radius_m - c.planet().bottom_radius_m, c.bottom_radius_m());
+    for (const DensityTerm& term : c.air().terms) {
+        if (const auto* layer = std::get_if<ExponentialProfile>(&term.profile)) least = std::min(least, layer->scale_height_m);
+        if (const auto* layer = std::get_if<TentProfile>(&term.profile)) least = std::min(least, layer->half_width_m);
+        if (const auto* layer = std::get_if<TabulatedProfile>(&term.profile))
+            least = std::min(least, layer->altitude_m[1] / 1e6);
+    }
+    return least;
+}
+
 std::string Case::text() const {
     std::ostringstream text;
     text.precision(17);

@@ -84,6 +84,9 @@ private:
     std::size_t corner_[2] = {0, 0};
 };
 
+/// The least length over which anything in the case's air changes.
+[[nodiscard]] double finest_m(const Case& c);
+
 /// Which cases a test runs: `quick` of them, or as many as the environment's AUREOLE_STABILITY_CASES says (all tests alike), or
 /// the one that AUREOLE_STABILITY_CASE names.
 struct Range {

@@ -70,38 +70,44 @@ struct Line {
     const Base& base;
     const Sweep& axis;
     double value;
+    Subject subject;
 };
+const char* name_of(Subject subject) { return subject == Subject::sky ? "sky" : "geometry"; }
 
 bool is_told() { return std::getenv("AUREOLE_STABILITY_PRINT") != nullptr; }
 
 void print(const Line& line, const Backend& backend, std::vector<double> errors) {
     std::ranges::sort(errors);
     const double p95 = errors[static_cast<std::size_t>(0.95 * static_cast<double>(errors.size() - 1))];
-    std::printf("\"%s\",%s,%s,%s,%s,%.10g,%.3g,%.3g\n", line.model, backend.name, line.stored.name, line.base.name,
-                line.axis.name, line.value, p95, errors.back());
+    std::printf("\"%s\",%s,%s,%s,%s,%s,%.10g,%.3g,%.3g\n", line.model, backend.name, line.stored.name, name_of(line.subject),
+                line.base.name, line.axis.name, line.value, p95, errors.back());
     std::fflush(stdout);
     if (is_told())
-        std::fprintf(stderr, "%s, %s, %s, %s: %s %g: %.3g\n", line.model, backend.name, line.stored.name, line.base.name,
-                     line.axis.name, line.value, errors.back());
+        std::fprintf(stderr, "%s, %s, %s, %s, %s: %s %g: %.3g\n", line.model, backend.name, line.stored.name,
+                     name_of(line.subject), line.base.name, line.axis.name, line.value, errors.back());
 }
 
-void tell_worst(const Scene& scene, std::span<const double> errors, std::span<const Rgb> seen, std::span<const Rgb> exact) {
+void tell_worst(const Scene& scene, Subject subject, std::span<const double> errors, std::span<const Rgb> seen,
+                std::span<const Rgb> exact) {
     const auto i = static_cast<std::size_t>(std::ranges::max_element(errors) - errors.begin());
-    const glm::dvec3 view = scene.views()[i];
-    std::fprintf(stderr,
-                 "  %.3g: altitude %.10g m, sun at %g degrees, view at zenith angle %.7g, azimuth %.4g: (%.6g %.6g %.6g), "
-                 "exact (%.6g %.6g %.6g)\n",
-                 errors[i], scene.altitude_m, scene.sun_elevation_deg, std::acos(view.z), std::atan2(view.y, view.x), seen[i].r,
-                 seen[i].g, seen[i].b, exact[i].r, exact[i].g, exact[i].b);
+    std::fprintf(stderr, "  %.3g: altitude %.10g m, sun at %g degrees, ", errors[i], scene.altitude_m, scene.sun_elevation_deg);
+    if (subject == Subject::sky) {
+        const glm::dvec3 view = scene.views()[i];
+        std::fprintf(stderr, "view at zenith angle %.7g, azimuth %.4g", std::acos(view.z), std::atan2(view.y, view.x));
+    } else {
+        std::fprintf(stderr, "pixel %zu, %zu", i % physics::Picture::width, i / physics::Picture::width);
+    }
+    std::fprintf(stderr, ": (%.6g %.6g %.6g), exact (%.6g %.6g %.6g)\n", seen[i].r, seen[i].g, seen[i].b, exact[i].r,
+                 exact[i].g, exact[i].b);
 }
 
 /// Infinite where there is a number that is none.
-std::vector<double> compare(Observer& observer, Observer& exact, const Scene& scene, bool half) {
-    const std::vector<Rgb> right = exact.look(scene);
+std::vector<double> compare(Observer& observer, Observer& exact, const Scene& scene, Subject subject, bool half) {
+    const std::vector<Rgb> right = exact.look(scene, subject);
     try {
-        const std::vector<Rgb> seen = observer.look(scene);
-        std::vector<double> errors = relative_errors(seen, right, least_light(scene, right, half));
-        if (is_told()) tell_worst(scene, errors, seen, right);
+        const std::vector<Rgb> seen = observer.look(scene, subject);
+        std::vector<double> errors = relative_errors(seen, right, least_light(scene, right, half, subject));
+        if (is_told()) tell_worst(scene, subject, errors, seen, right);
         return errors;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
@@ -124,12 +130,14 @@ void run(const Stored& stored, std::size_t rung, const Sweep& axis, std::span<co
                 for (const Backend& backend : all) observers.emplace_back(*backend.machine, rungs[rung].model);
                 exact = std::make_unique<Observer>(physics::cpu_double(), rungs[rung].model);
             }
-            for (std::size_t i = 0; i < all.size(); ++i) {
-                std::vector<double> errors;
-                for (const Scene& scene : scenes)
-                    std::ranges::copy(compare(observers[i], *exact, scene, stored.half), std::back_inserter(errors));
-                print({rungs[rung].name, stored, base, axis, value}, all[i], errors);
-            }
+            for (const Subject subject : {Subject::sky, Subject::geometry})
+                for (std::size_t i = 0; i < all.size(); ++i) {
+                    std::vector<double> errors;
+                    for (const Scene& scene : scenes)
+                        std::ranges::copy(compare(observers[i], *exact, scene, subject, stored.half),
+                                          std::back_inserter(errors));
+                    print({rungs[rung].name, stored, base, axis, value, subject}, all[i], errors);
+                }
         }
 }
 
@@ -148,7 +156,7 @@ int main(int count, char** words) {
     const bool known = only == "all" || std::ranges::any_of(sweeps(), [&](const Sweep& axis) { return only == axis.name; });
     if (!known) return usage();
     const std::vector<Backend> all = backends(with != "cpu");
-    std::printf("model,backend,tables,base,axis,value,p95,max\n");
+    std::printf("model,backend,tables,subject,base,axis,value,p95,max\n");
     for (const Sweep& axis : sweeps()) {
         if (only != "all" && only != axis.name) continue;
         for (const Stored& stored : storages) {

@@ -30,8 +30,9 @@ LEAST, MOST, BOUND = 1e-7, 10, 0.01
 
 
 def read(path):
-    """{axis: {(half, model, base): {value: error}}}: the worst of a model's ways, of both backends."""
-    axes = {}
+    """{axis: {(half, model, base): {value: error}}}: the worst of a model's ways, of both backends, of sky and geometry; and where
+    geometry is worse than the sky and above the bound: [(axis, base, half, model, value, sky, geometry)]."""
+    axes, by_subject = {}, {}
     with open(path, encoding='utf-8') as file:
         for row in csv.DictReader(file):
             model = row['model'].split(',')[0]
@@ -40,7 +41,10 @@ def read(path):
             line = axes.setdefault(row['axis'], {}).setdefault((row['tables'] == 'half', model, row['base']), {})
             value = float(row['value'])
             line[value] = max(line.get(value, 0), error)
-    return axes
+            at = by_subject.setdefault((row['axis'], row['base'], row['tables'] == 'half', model, value), {})
+            at[row['subject']] = max(at.get(row['subject'], 0), error)
+    worse = [(*at, e['sky'], e['geometry']) for at, e in by_subject.items() if e['geometry'] > max(e['sky'], BOUND)]
+    return axes, worse
 
 
 def text(value):
@@ -108,12 +112,15 @@ def print_table(axes):
 def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    axes = read(sys.argv[1])
+    axes, worse = read(sys.argv[1])
     folder = pathlib.Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
     for axis, lines in axes.items():
         plot(axis, lines, folder)
     print_table(axes)
+    print('\nGeometry worse than the sky, and by more than 1 %: axis, base, tables, model, value, sky, geometry')
+    for axis, base, half, model, value, sky, geometry in worse:
+        print(f"{axis}, {base}, {'half' if half else 'float'}, {model}, {text(value)}: {sky:.1e}, {geometry:.1e}")
 
 
 if __name__ == '__main__':

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <stdexcept>
 
 namespace aureole::stability {
@@ -178,7 +179,67 @@ std::vector<Scene> Sweep::scenes(const Base& base, double value) const {
     return all;
 }
 
-std::vector<Rgb> Observer::look(const Scene& scene) {
+namespace {
+
+/// Every other row of the picture; the others are a dull grey.
+bool is_black(std::size_t pixel) { return pixel / physics::Picture::width % 2 == 0; }
+
+/// To where a line meets a sphere about the planet's centre from outside, or infinity: at a distance, by the cosine there.
+double distance_to_sphere(double radius, double r, double mu) {
+    const double b = r * mu, c = (r - radius) * (r + radius), discriminant = b * b - c;
+    if (b >= 0 || discriminant < 0) return std::numeric_limits<double>::infinity();
+    return c / (std::sqrt(discriminant) - b);
+}
+
+/// From the camera, no farther than the ground; seen from beyond the air, so far before the ground, or before the lowest point
+/// of a line that misses it: the air's top is empty.
+double distance_of(const Scene& scene, const glm::dvec3& direction, double in_air_m) {
+    const Planet& planet = scene.air.planet;
+    const double r = planet.bottom_radius_m + scene.altitude_m;
+    const double ground = scene.altitude_m > 0 ? distance_to_sphere(planet.bottom_radius_m, r, direction.z)
+                                               : std::numeric_limits<double>::infinity();
+    if (r <= planet.top_radius_m) return std::min(in_air_m, ground);
+    const double entry = distance_to_sphere(planet.top_radius_m, r, direction.z);
+    if (!std::isfinite(entry)) return scene.altitude_m + in_air_m;  // no air there
+    return std::max(std::min(ground, -r * direction.z) - in_air_m, entry);
+}
+
+/// Horizon and ground in one picture, or the whole planet where it is small.
+Camera camera_of(const Scene& scene) {
+    const double radius = scene.air.planet.bottom_radius_m, h = std::max(scene.altitude_m, 0.0);
+    const double from_nadir = std::atan2(radius, std::sqrt(h * (2 * radius + h)));  // of the horizon
+    const double fov = std::min(60 * degree, 2.2 * from_nadir);
+    return look(radius, scene.altitude_m, 0.7, std::max(from_nadir - fov / 4, 0.0) - pi / 2, fov,
+                static_cast<double>(physics::Picture::width) / physics::Picture::height, 1e-2);
+}
+
+}  // namespace
+
+std::vector<Rgb> Observer::geometry(const Scene& scene) {
+    if (!picture_ || scene.suns != suns_of_picture_) {
+        suns_of_picture_ = scene.suns;
+        picture_.reset();
+        picture_ = std::make_unique<physics::Picture>(machine_, scene.air, model_, 96e3, scene.suns);
+    } else {
+        picture_->air().set_parameters(scene.air);
+    }
+    picture_->place(camera_of(scene), scene.all_suns());
+    std::vector<double> distances;
+    std::vector<Rgb> colors;
+    for (std::uint32_t y = 0; y < physics::Picture::height; ++y)
+        for (std::uint32_t x = 0; x < physics::Picture::width; ++x) {
+            constexpr double in_air_m[] = {10, 300, 5e3, 5e4};
+            distances.push_back(distance_of(scene, picture_->direction(x, y), in_air_m[x % 4]));
+            colors.push_back(is_black(colors.size()) ? Rgb(0) : Rgb(0.05 * scene.irradiance));
+        }
+    return picture_->render(distances, colors);
+}
+
+std::vector<Rgb> Observer::look(const Scene& scene, Subject subject) {
+    return subject == Subject::sky ? sky(scene) : geometry(scene);
+}
+
+std::vector<Rgb> Observer::sky(const Scene& scene) {
     if (!sky_ || scene.suns != suns_ || scene.sun_disk != sun_disk_) {
         physics::SkyOptions options;
         options.model = model_;
@@ -193,10 +254,14 @@ std::vector<Rgb> Observer::look(const Scene& scene) {
     return sky_->radiance(scene.views());
 }
 
-double least_light(const Scene& scene, std::span<const Rgb> exact, bool half_tables) {
+double least_light(const Scene& scene, std::span<const Rgb> exact, bool half_tables, Subject subject) {
     const std::vector<glm::dvec3> views = scene.views();
     double sum = 0, count = 0;
     for (std::size_t i = 0; i < exact.size(); ++i) {
+        if (subject == Subject::geometry) {
+            if (is_black(i)) sum += physics::sum(exact[i]) / 3, ++count;
+            continue;
+        }
         bool near_sun = false;
         for (const Sun& sun : scene.all_suns())
             near_sun = near_sun || glm::dot(views[i], sun.direction) > std::cos(10 * degree + sun.angular_radius_rad);

@@ -54,25 +54,37 @@ struct Sweep {
 [[nodiscard]] std::span<const Sweep> sweeps();
 [[nodiscard]] const Sweep& sweep(std::string_view name);
 
+/// What of a scene is looked at.
+enum class Subject : std::uint8_t {
+    sky,       ///< And bare ground, in the scene's views.
+    geometry,  ///< Through the air: black and grey, 10 m to 50 km away, or from beyond the air as far above the ground.
+};
+
 /// One model on one device. Keeps what it has made for as long as scenes are of the same kind.
 class Observer {
 public:
     Observer(physics::Machine& machine, ModelPtr model) : machine_(machine), model_(std::move(model)) {}
-    /// Radiance of the scene's views. Throws what the library does, and where one is not finite.
-    [[nodiscard]] std::vector<Rgb> look(const Scene& scene);
+    /// Radiance of the scene's views, or of a picture's pixels. Throws what the library does, and where one is not finite.
+    [[nodiscard]] std::vector<Rgb> look(const Scene& scene, Subject subject = Subject::sky);
 
 private:
+    [[nodiscard]] std::vector<Rgb> sky(const Scene& scene);
+    [[nodiscard]] std::vector<Rgb> geometry(const Scene& scene);
+
     physics::Machine& machine_;
     ModelPtr model_;
     std::unique_ptr<physics::Sky> sky_;
-    std::uint32_t suns_ = 0;
+    std::unique_ptr<physics::Picture> picture_;
+    std::uint32_t suns_ = 0, suns_of_picture_ = 0;
     bool sun_disk_ = false;
 };
 
 /// Light that errors are relative to where there is less: a thousandth of the picture's mean away from the sun, ten stops below
 /// what an exposure is made for; a thousandth of a night without a moon (1e-9 of the sun's); and with tables of half floats a
-/// hundred of their smallest steps (6e-8 of the sun's), of which one is a per cent.
-[[nodiscard]] double least_light(const Scene& scene, std::span<const Rgb> exact, bool half_tables);
+/// hundred of their smallest steps (6e-8 of the sun's), of which one is a per cent. Of geometry the mean is that of the air's
+/// own light, before what is black.
+[[nodiscard]] double least_light(const Scene& scene, std::span<const Rgb> exact, bool half_tables,
+                                 Subject subject = Subject::sky);
 /// Of each view, in the channel where it is largest.
 [[nodiscard]] std::vector<double> relative_errors(std::span<const Rgb> seen, std::span<const Rgb> exact, double least);
 

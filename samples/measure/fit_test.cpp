@@ -132,7 +132,8 @@ TEST_CASE("gather: scenes by their colours, settings with what is known of them,
     CHECK(cost.shadows_mib == 0.25);
     CHECK(cost.work == detail::TableWork{2e6, 15, 3, 2, 4, 5, 6});
     const AtmosphereParameters mars = presets::mars();  // what was known of it then does not count
-    CHECK(gather({&one, 1}, false, {{"earth", mars}}).settings[0].by_air.at(0).work == table_work(*model_by_name("fog"), mars));
+    CHECK(gather({&one, 1}, false, {{"earth", mars}}).settings[0].by_air.at(0).work ==
+          detail::table_work(*model_by_name("fog"), mars));
     CHECK(gather({&one, 1}, false, {{"venus", mars}}).settings[0].by_air.at(0).work == cost.work);
     REQUIRE(wavelengths.scenes.size() == 1);
     REQUIRE(wavelengths.settings.size() == 1);
@@ -186,24 +187,18 @@ TEST_CASE("gather: where the truth of most directions is not known nothing is") 
     CHECK(sky_of({{"asked", 45}}) == MeasuredError::unknown);
 }
 
-TEST_CASE("gather: light errs by the worse of sky and sun, and is unknown where the truth of either is") {
-    json given = measured();
-    given["scenes"][1]["situation"][detail::axis_of_space] = 1;
-    const auto light_of = [&](std::size_t result, const json& light) {
-        json one = given;
-        one["results"][result].update(light);
-        const std::size_t scene = one["results"][result]["scene"] == "a" ? 0 : 1;
-        return gather({&one, 1}, false).settings[0].light.by_scene.at(scene);
+TEST_CASE("gather: light errs by the worse of sky and sun, and is unknown where the truth of the sky's is") {
+    const auto light_of = [](const json& light) {
+        json one = measured();
+        one["results"][0].update(light);  // of scene "a"
+        return gather({&one, 1}, false).settings[0].light.by_scene.at(0);
     };
-    constexpr std::size_t in_air = 0, in_space = 1;
-    CHECK(light_of(in_air, {{"sky_illuminance", 0.2}, {"sun_colour", 0.03}}) == MeasuredError::pack(0.2));
-    CHECK(light_of(in_air, {{"sky_illuminance", 0.02}, {"sun_colour", 0.3}}) == MeasuredError::pack(0.3));
-    CHECK(light_of(in_air, {{"sky_illuminance", 0.2}}) == MeasuredError::pack(0.2));  // the sun has set
-    CHECK(light_of(in_air, {{"sun_colour", 0.2}}) == MeasuredError::unknown);         // the sky's truth is noise
-    CHECK(light_of(in_space, {{"sun_colour", 0.2}}) == MeasuredError::pack(0.2));     // where no sky is
-    CHECK(light_of(in_air, json::object()) == MeasuredError::unknown);
-    CHECK(light_of(in_space, json::object()) == MeasuredError::unknown);
-    CHECK(light_of(in_air, {{"sky_illuminance", nullptr}}) == MeasuredError::pack(HUGE_VAL));
+    CHECK(light_of({{"sky_illuminance", 0.2}, {"sun_colour", 0.03}}) == MeasuredError::pack(0.2));
+    CHECK(light_of({{"sky_illuminance", 0.02}, {"sun_colour", 0.3}}) == MeasuredError::pack(0.3));
+    CHECK(light_of({{"sky_illuminance", 0.2}}) == MeasuredError::pack(0.2));  // the sun has set
+    CHECK(light_of({{"sun_colour", 0.2}}) == MeasuredError::unknown);         // noise, or above the air
+    CHECK(light_of(json::object()) == MeasuredError::unknown);
+    CHECK(light_of({{"sky_illuminance", nullptr}}) == MeasuredError::pack(HUGE_VAL));
 }
 
 TEST_CASE("fit: finds along which axes a field changes, and bounds that hold") {

@@ -105,12 +105,9 @@ private:
         return rows > 0 && rows >= least_known * (region.contains("asked") ? region.at("asked").get<double>() : rows);
     }
 
-    /// Unknown where the truth of either part is: of the sky's above the air, and of the sun's after it has set, there is none.
-    void keep_light(MeasuredError& light, std::size_t scene, const json& result) {
-        const MeasuredScene& place = skies_.scenes[scene];
-        const bool sky = result.contains("sky_illuminance"), sun = result.contains("sun_colour");
-        const bool in_space = place.situation[detail::axis_of_space] > 0;
-        if (!sky && !(in_space && sun)) return;
+    /// Unknown where the truth of the sky's is: above the air there is none. Of a sun that has set there is none, either.
+    static void keep_light(MeasuredError& light, std::size_t scene, const json& result) {
+        if (!result.contains("sky_illuminance")) return;
         const auto error = [&](const char* name) {  // null: infinite
             if (!result.contains(name)) return 0.0;
             return result.at(name).is_null() ? HUGE_VAL : result.at(name).get<double>();

@@ -17,8 +17,9 @@ using detail::MeasuredSetting;
 using detail::MeasuredSkies;
 using nlohmann::json;
 
-constexpr double least_known = 0.5;  // share of the directions: a quantile of fewer is not one of the scene
-constexpr double least_mib = 1e-6;   // of a model without tables: 0 says that it was not measured
+constexpr double least_known = 0.5;   // share of the directions: a quantile of fewer is not one of the scene
+constexpr double least_light = 1e-3;  // the truth is known no better; a sum of errors of either sign may come to less by chance
+constexpr double least_mib = 1e-6;    // of a model without tables: 0 says that it was not measured
 
 /// Index of the one that is called `name`, which is added if there is none.
 template <class Named, class Name>
@@ -113,7 +114,7 @@ private:
             return result.at(name).is_null() ? HUGE_VAL : result.at(name).get<double>();
         };
         grow(light, scene + 1);
-        light.by_scene[scene] = MeasuredError::pack(std::max(error("sky_illuminance"), error("sun_colour")));
+        light.by_scene[scene] = MeasuredError::pack(std::max({error("sky_illuminance"), error("sun_colour"), least_light}));
     }
 
     void add_costs(const json& measured) {

@@ -97,7 +97,7 @@ std::optional<PlanError> worse(const PlanRequirements& requirements, const Measu
         worst.p95 = std::max(worst.p95, through->likely);
         worst.bound = std::max(worst.bound, through->bound);
     }
-    if (requirements.light && here.predictor().knows_light()) {
+    if (requirements.light && here.predictor().knows_light() && !here.above_air()) {
         const std::optional<PredictedError> light = here.predict(setting.light);
         if (!light) return {};
         worst.light = std::max(worst.light, light->likely);

@@ -16,7 +16,7 @@ namespace aureole::detail {
 [[nodiscard]] std::vector<Situation> situations_of(const PlanRequirements& requirements, const MeasuredSkies& skies);
 
 /// What a setting errs by in a place, by what a view shows and its materials need, if that is worse than `so_far`; none where
-/// it is not known. In tables without any errors of light these are left aside.
+/// it is not known. Errors of light are left aside above the air, where it is the sun's alone, and in tables without any.
 [[nodiscard]] std::optional<PlanError> worse(const PlanRequirements& requirements, const MeasuredSetting& setting,
                                              Predictor::Here& here, const PlanError& so_far);
 /// What was measured of a setting in a scene of all that its bound is of: the worst; none where a part of it is not known.

@@ -112,7 +112,8 @@ TEST_CASE("plan: what it returns can be drawn as it is, and says what it does wi
     REQUIRE(find(bare, "term rayleigh"));
     for (const PlanCandidate& one : bare.candidates) {  // what a setting leaves out is not in its air, and all else is
         const std::optional<Prepared> prepared = prepare(one.setting, needs.air);
-        REQUIRE(prepared);
+        CHECK(prepared.has_value() == one.excluded.empty());
+        if (!prepared) continue;
         if (one.setting == bare.setting) CHECK(bare.air == prepared->air);
         for (const DensityTerm& term : needs.air.terms)
             CHECK((std::ranges::count(prepared->air.terms, term.name, &DensityTerm::name) == 0) ==

@@ -38,6 +38,7 @@ public:
         /// `error` is one of the skies'. None where it is known in too few scenes.
         [[nodiscard]] std::optional<PredictedError> predict(const MeasuredError& error);
         [[nodiscard]] const Predictor& predictor() const { return from_; }
+        [[nodiscard]] bool above_air() const { return place_[axis_of_space] > 0; }
         /// How far the place is from all scenes: 0 at a scene. 1 where the deviation that Kriging expects is that of a scene
         /// which is lonelier among the others than nine of ten, or the air is one unit of its coordinates away from any that
         /// was measured, whatever Kriging makes of it: along the axes of the air its lengths are those of few airs.

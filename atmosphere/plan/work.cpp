@@ -17,19 +17,19 @@ constexpr double tabulated_profile = 1;  // more, for each
 // A node of a column through an exponential term, in the same unit, measured likewise: where all terms are exponential, and the
 // kernel needs no cuts (column.glsl); else of each part so many times more.
 constexpr double node_of_column = 0.7, cut_column = 2.6;
-constexpr int parts_of_tent = 2, parts_of_table = 8;
+constexpr double parts_of_tent = 2, parts_of_table = 5.8;  // a table's eight have no exponential to work out
 
 double texels(const rhi::Extent& e) { return double(e.width) * e.height * e.depth; }
 
 /// What a column through all terms takes, beside one through a single exponential one.
 double column_work(const AirStructure& air) {
     constexpr int exponential = 0, tent = 1;  // medium.glsl
-    int parts = 0;
+    double parts = 0;
     for (int term = 0; term < air.term_count; ++term) {
         const int kind = air.term_kinds >> 2 * term & 3;
         parts += kind == exponential ? 1 : kind == tent ? parts_of_tent : parts_of_table;
     }
-    return std::max(parts, 1) * (parts > air.term_count ? cut_column : 1);
+    return std::max(parts, 1.0) * (parts > air.term_count ? cut_column : 1);
 }
 
 /// Of `aureole`, pass by pass as MultiScatterPass records them.

@@ -29,10 +29,10 @@ void print_coverage(const char* name, const detail::MeasuredSkies& skies, std::u
         "%s: %zu scenes, %zu settings; fitted without %zu scenes (seed %u), of %zu errors there %.1f %% are at or below "
         "their bound (of sky %.1f %%, of geometry %.1f %%, of light %.1f %%); bound / measured %.2f (%.2f, %.2f, %.2f), "
         "|likely / measured| off by %.0f %% (medians); of %zu choices %.1f %% keep their tolerance\n",
-        name, skies.scenes.size(), skies.settings.size(), held_out.size(), seed, found.all.predictions,
-        100 * found.all.below_bound, 100 * found.sky.below_bound, 100 * found.geometry.below_bound,
-        100 * found.light.below_bound, found.all.median_excess, found.sky.median_excess, found.geometry.median_excess,
-        found.light.median_excess, 100 * (std::exp(found.all.median_off) - 1), found.choices, 100 * found.choices_kept);
+        name, skies.scenes.size(), skies.settings.size(), held_out.size(), seed, found.radiance.predictions,
+        100 * found.radiance.below_bound, 100 * found.sky.below_bound, 100 * found.geometry.below_bound,
+        100 * found.light.below_bound, found.radiance.median_excess, found.sky.median_excess, found.geometry.median_excess,
+        found.light.median_excess, 100 * (std::exp(found.radiance.median_off) - 1), found.choices, 100 * found.choices_kept);
 }
 
 /// "frame 1 of 44 (worst: aureole low +35 %)"
@@ -56,7 +56,8 @@ std::string far_off(const std::vector<ForetoldCost>& costs, std::string_view wha
 void print_airs_left_out(const char* name, const detail::MeasuredSkies& skies) {
     for (const AirLeftOut& one : without_each_air(skies)) {
         std::printf("%s: fitted without %s (distance %.2f), of %zu errors there %.1f %% are at or below their bound", name,
-                    one.air.c_str(), one.errors.distance, one.errors.all.predictions, 100 * one.errors.all.below_bound);
+                    one.air.c_str(), one.errors.distance, one.errors.radiance.predictions,
+                    100 * one.errors.radiance.below_bound);
         if (one.costs.empty())
             std::printf("; no costs\n");
         else

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <span>
 #include <utility>
 
 namespace aureole::app {
@@ -22,6 +23,8 @@ constexpr double shortest = 0.05, longest = 500;  // of lengths
 constexpr double covered = 0.97;                  // by the margin, of scenes that are left out
 constexpr double least_spread = 1e-3;
 constexpr double usual = 3;  // length where scenes do not tell
+constexpr std::span radiance_errors = std::span(detail::measured_errors).first(3);
+constexpr std::span light_errors = std::span(detail::measured_errors).last(1);
 constexpr double kinds = 3;  // errors of all settings tell as much as so many that had nothing in common
 
 std::vector<std::size_t> all_of(std::size_t count) {
@@ -38,10 +41,11 @@ struct Family {
     std::vector<std::vector<double>> values;  // by error
 };
 
-std::vector<Family> families(MeasuredSkies& skies, const std::vector<std::size_t>& scenes) {
+std::vector<Family> families(MeasuredSkies& skies, const std::vector<std::size_t>& scenes,
+                             std::span<MeasuredError MeasuredSetting::*const> errors) {
     std::map<std::vector<std::size_t>, Family> by_scenes;
     for (MeasuredSetting& setting : skies.settings)
-        for (const auto each : detail::measured_errors) {
+        for (const auto each : errors) {
             MeasuredError* const error = &(setting.*each);
             std::vector<std::size_t> known;
             for (const std::size_t i : scenes)
@@ -109,17 +113,11 @@ Situation best_lengths(const std::vector<Family>& all) {
     return lengths;
 }
 
-}  // namespace
-
-void fit(MeasuredSkies& skies, const std::vector<std::size_t>& scenes) {
-    std::vector<Family> all = families(skies, scenes.empty() ? all_of(skies.scenes.size()) : scenes);
-    skies.lengths.fill(usual);
-    skies.margin = 2;
-    if (all.empty()) return;
-    skies.lengths = best_lengths(all);
+/// The spread of each error. Returns all residuals by what is expected of them, sorted.
+std::vector<double> find_spreads(std::vector<Family>& all, const Situation& lengths) {
     std::vector<double> standardized;
     for (Family& family : all) {
-        const Kriging kriging(family.places, skies.lengths);
+        const Kriging kriging(family.places, lengths);
         const std::vector<double> variances = kriging.left_out_variances();
         for (std::size_t k = 0; k < family.errors.size(); ++k) {
             const std::vector<double> residuals = kriging.left_out_residuals(family.values[k], variances);
@@ -130,7 +128,26 @@ void fit(MeasuredSkies& skies, const std::vector<std::size_t>& scenes) {
         }
     }
     std::ranges::sort(standardized);
-    skies.margin = std::max(quantile(standardized, covered), 0.1);
+    return standardized;
+}
+
+}  // namespace
+
+void fit(MeasuredSkies& skies, const std::vector<std::size_t>& scenes) {
+    const std::vector<std::size_t> known = scenes.empty() ? all_of(skies.scenes.size()) : scenes;
+    skies.lengths.fill(usual);
+    skies.margin = 2;
+    // Errors of radiance say how airs and hours differ: those of light, one number a scene, pass through 0 here and there.
+    std::vector<Family> radiance = families(skies, known, radiance_errors), light = families(skies, known, light_errors);
+    if (!radiance.empty()) {
+        skies.lengths = best_lengths(radiance);
+        skies.margin = std::max(quantile(find_spreads(radiance, skies.lengths), covered), 0.1);
+    }
+    if (light.empty()) return;
+    // So that as many lie below the same margin: mostly they are far off where they are small.
+    const double wider = std::max(quantile(find_spreads(light, skies.lengths), covered), 0.1) / skies.margin;
+    for (Family& family : light)
+        for (MeasuredError* error : family.errors) error->spread *= wider;
 }
 
 }  // namespace aureole::app

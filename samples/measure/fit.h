@@ -20,7 +20,8 @@ namespace aureole::app {
                                            const std::map<std::string, AtmosphereParameters>& airs = {});
 
 /// Finds `lengths`, `spread` and `margin` from these scenes alone (empty: all): lengths by the pseudo-likelihood of each scene
-/// given the others (Sundararajan & Keerthi 2001), the margin so that 97 of 100 scenes left out lie below their bound.
+/// given the others (Sundararajan & Keerthi 2001), the margin so that 97 of 100 scenes left
+/// out lie below their bound; those of light likewise, by themselves.
 void fit(detail::MeasuredSkies& skies, const std::vector<std::size_t>& scenes = {});
 
 /// C++ that initializes a MeasuredSkies: what the library is compiled with (plan/measured_*.inc).

@@ -17,8 +17,9 @@ using detail::MeasuredSetting;
 using detail::MeasuredSkies;
 using nlohmann::json;
 
-constexpr double least_known = 0.5;  // share of the directions: a quantile of fewer is not one of the scene
-constexpr double least_mib = 1e-6;   // of a model without tables: 0 says that it was not measured
+constexpr double least_known = 0.5;   // share of the directions: a quantile of fewer is not one of the scene
+constexpr double least_light = 1e-3;  // the truth is known no better; a sum of errors of either sign may come to less by chance
+constexpr double least_mib = 1e-6;    // of a model without tables: 0 says that it was not measured
 
 /// Index of the one that is called `name`, which is added if there is none.
 template <class Named, class Name>
@@ -105,18 +106,15 @@ private:
         return rows > 0 && rows >= least_known * (region.contains("asked") ? region.at("asked").get<double>() : rows);
     }
 
-    /// Unknown where the truth of either part is: of the sky's above the air, and of the sun's after it has set, there is none.
-    void keep_light(MeasuredError& light, std::size_t scene, const json& result) {
-        const MeasuredScene& place = skies_.scenes[scene];
-        const bool sky = result.contains("sky_illuminance"), sun = result.contains("sun_colour");
-        const bool in_space = place.situation[detail::axis_of_space] > 0;
-        if (!sky && !(in_space && sun)) return;
+    /// Unknown where the truth of the sky's is: above the air there is none. Of a sun that has set there is none, either.
+    static void keep_light(MeasuredError& light, std::size_t scene, const json& result) {
+        if (!result.contains("sky_illuminance")) return;
         const auto error = [&](const char* name) {  // null: infinite
             if (!result.contains(name)) return 0.0;
             return result.at(name).is_null() ? HUGE_VAL : result.at(name).get<double>();
         };
         grow(light, scene + 1);
-        light.by_scene[scene] = MeasuredError::pack(std::max(error("sky_illuminance"), error("sun_colour")));
+        light.by_scene[scene] = MeasuredError::pack(std::max({error("sky_illuminance"), error("sun_colour"), least_light}));
     }
 
     void add_costs(const json& measured) {

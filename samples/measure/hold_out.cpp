@@ -76,8 +76,8 @@ public:
         found.sky = summary_of(sky_);
         found.geometry = summary_of(geometry_);
         found.light = summary_of(light_);
-        for (const std::vector<Foretold>* more : {&geometry_, &light_}) sky_.insert(sky_.end(), more->begin(), more->end());
-        found.all = summary_of(sky_);
+        sky_.insert(sky_.end(), geometry_.begin(), geometry_.end());
+        found.radiance = summary_of(sky_);
         found.choices = choices_;
         if (choices_ > 0) found.choices_kept = static_cast<double>(kept_) / static_cast<double>(choices_);
         std::ranges::sort(distances_);

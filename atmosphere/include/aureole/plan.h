@@ -56,7 +56,8 @@ struct PlanRequirements {
                                                  ///< the host sets): of one sun, and charged at the default size. What
                                                  ///< shadows err by is in no figure of the plan (shadows.md).
     bool light = true;                           ///< Sun colour and sky irradiance for the host's own materials are needed,
-                                                 ///< and must be as right as what is seen.
+                                                 ///< and must be as right as what is seen (within the air:
+                                                 ///< above it light is the sun's alone).
     std::uint32_t suns = 1;                      ///< Tables are charged for each, and composites grow with them. In [1, 4].
     std::uint32_t views = 1;                     ///< Cameras that are drawn each frame. In [1, 64].
     std::uint32_t width = 1280, height = 720;    ///< Pixels of a view. Each in [1, 65536].

@@ -118,20 +118,23 @@ TEST_CASE("suite: short lists with a long product are refused before room is mad
     CHECK(complaint_of(text) == "s.toml:3: scenes[0]: 1e+10 scenes is not allowed; allowed: at most 100000 in the suite");
 }
 
-TEST_CASE("suite: the program's own are read, and the truth of the small one is complete") {
+TEST_CASE("suite: the program's own are read, and their truth is complete" * doctest::test_suite("long")) {
     const std::filesystem::path folder = std::filesystem::path(AUREOLE_SCENES).parent_path() / "suites";
-    for (const char* name : {"small.toml", "full.toml"}) CHECK_NOTHROW((void)read_suite(folder / name));
-    const Suite small = read_suite(folder / "small.toml");
-    for (std::size_t air = 0; air < small.airs.size(); ++air) {
-        const std::vector<Place> places = places_of(small, air, read_truth(small, air));
-        CHECK(places.size() == small.scenes_of(air).size());
-        for (const Place& place : places) {
-            std::vector<double> noise;
-            for (const TrueValue& truth : place.truth)
-                if (truth.value.g > 0) noise.push_back(truth.error.g / truth.value.g);
-            INFO(small.id(small.scenes[place.scene]));
-            CHECK(noise.size() > 15);
-            CHECK(summarize(noise).median < 0.02);
+    for (const char* name : {"small.toml", "full.toml"}) {
+        const Suite suite = read_suite(folder / name);
+        for (std::size_t air = 0; air < suite.airs.size(); ++air) {
+            const std::vector<Place> places = places_of(suite, air, read_truth(suite, air));
+            CHECK(places.size() == suite.scenes_of(air).size());
+            for (const Place& place : places) {
+                std::vector<double> noise;
+                for (const TrueValue& truth : place.truth)
+                    if (truth.value.g > 0) noise.push_back(truth.error.g / truth.value.g);
+                const SuiteScene& scene = suite.scenes[place.scene];
+                INFO(suite.id(scene));
+                CHECK(noise.size() > 15);
+                // Later, few paths find any light: the planner leaves out what is known of too little of such a scene.
+                if (scene.sun_elevation_deg > -9) CHECK(summarize(noise).median < 0.02);
+            }
         }
     }
 }

@@ -171,11 +171,11 @@ double check_balance(bool absorbing, const Effort& effort, double most_error) {
 }  // namespace
 
 TEST_CASE("reference: what comes in goes out, from a planet that absorbs nothing") {
-    check_balance(false, {.tries = 8, .places = 256, .directions = 16, .paths = 4, .parts = 2}, 0.004);
+    check_balance(false, {.tries = 8, .places = 256, .directions = 16, .paths = 4, .parts = 2}, 0.0035);
 }
 
 TEST_CASE("reference: what comes in goes out or is absorbed by air and ground") {
-    check_balance(true, {.tries = 8, .places = 128, .directions = 16, .paths = 2, .parts = 2}, 0.003);
+    check_balance(true, {.tries = 8, .places = 128, .directions = 16, .paths = 2, .parts = 2}, 0.0018);
 }
 
 // Minutes, as all that is skipped: reference.md has the command and the figures.
@@ -231,8 +231,8 @@ void check_furnace(int count, double most_error) {
 
 }  // namespace
 
-TEST_CASE("reference: in uniform light a planet that absorbs nothing cannot be seen") { check_furnace(64, 0.03); }
+TEST_CASE("reference: in uniform light a planet that absorbs nothing cannot be seen") { check_furnace(64, 0.022); }
 
 TEST_CASE("reference: in uniform light a planet that absorbs nothing cannot be seen, in many paths" * doctest::skip()) {
-    check_furnace(4096, 3e-3);
+    check_furnace(1024, 6e-3);
 }

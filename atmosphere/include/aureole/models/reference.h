@@ -27,8 +27,9 @@ struct ReferenceSettings {
     Tracking tracking = Tracking::quadrature;
 
     /// Paths of a pixel in each composite, and of a texel of the film in each View::record until it has max_paths. In [0,
-    /// 65536]: with 0 only what is known without paths is shown. The film takes them 32 at a time (8 with Tracking::ratio); a composite all at once,
-    /// which a GPU must finish before its driver loses patience, and of which Mesa's llvmpipe finishes some 130 (reference.md).
+    /// 65536]: with 0 only what is known without paths is shown. The film takes them 32 at a time (8 with Tracking::ratio); a
+    /// composite all at once, which a GPU must finish before its driver loses patience, and of which Mesa's llvmpipe finishes
+    /// some 130 (reference.md).
     int paths_per_frame = 16;
     /// Of a texel of the film: then it is left as it is. In [1, 16777216].
     int max_paths = 4096;

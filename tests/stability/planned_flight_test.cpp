@@ -241,7 +241,8 @@ Found fly(const Flight& flight) {
 
 }  // namespace
 
-TEST_CASE("stability, frame by frame: a sky that follows its plan changes plans underway, and nothing jumps") {
+TEST_CASE("stability, frame by frame: a sky that follows its plan changes plans underway, and nothing jumps" *
+          doctest::test_suite("long")) {
     // Two of the flights in CI.
     for (const Flight& flight : flights) {
         const bool quick = flight.at == climb_at_dusk || flight.at == set;

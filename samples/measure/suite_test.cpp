@@ -131,7 +131,7 @@ TEST_CASE("suite: the program's own are read, and their truth is complete" * doc
                     if (truth.value.g > 0) noise.push_back(truth.error.g / truth.value.g);
                 const SuiteScene& scene = suite.scenes[place.scene];
                 INFO(suite.id(scene));
-                CHECK(noise.size() > 15);
+                CHECK(noise.size() > 10);  // from far away most of a planet may be night
                 // Later, few paths find any light: the planner leaves out what is known of too little of such a scene.
                 if (scene.sun_elevation_deg > -9) CHECK(summarize(noise).median < 0.02);
             }

@@ -175,8 +175,8 @@ TEST_CASE("planned sky: tables that take seconds are made behind the old sky, wh
           doctest::test_suite("long")) {
     const auto backend = open_vulkan();
     if (!backend) return;
-    // Where tables are never made anew, those of bruneton are the cheapest to look up; at dusk they are not good enough. Those of
-    // its quality high are, and take minutes here: there is no room for them.
+    // Where tables are never made anew, those of bruneton are the cheapest to look up; at dusk they are not good enough. Those
+    // of its quality high are, and take minutes here: there is no room for them.
     PlanRequirements needs = day_and_dusk(0.15);
     needs.air = presets::hazy_earth();
     needs.rebuilds_per_frame = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -86,7 +87,8 @@ std::vector<double> Kriging::left_out_variances() const {
             column[k] = -dot(row, std::span(column).subspan(i, k - i)) / factor_[k * n + k];
         }
         const auto own = std::span(column).subspan(i);
-        result[i] = 1 / (dot(own, own) - ones_[i] * ones_[i] / sum_of_ones_);
+        const double told = dot(own, own) - ones_[i] * ones_[i] / sum_of_ones_;
+        result[i] = told > 0 ? 1 / told : std::numeric_limits<double>::infinity();  // of a single point: by nothing
     }
     return result;
 }

@@ -1,6 +1,7 @@
 // Ratio tracking, which has no bias, against quadrature, path by path: what the quadrature's bias is at most, over all orders.
 #include <doctest/doctest.h>
 
+#include "models/reference/small_planet.h"
 #include "physics/traced.h"
 
 #include <chrono>
@@ -23,14 +24,6 @@ struct Scene {
     double altitude_m;
     std::vector<double> sun_zeniths_deg, view_zeniths_deg;
 };
-AtmosphereParameters small_planet() {
-    AtmosphereParameters air = presets::earth();
-    air.planet.bottom_radius_m = 50e3;
-    air.planet.top_radius_m = 80e3;
-    air.terms = {{"gas", ExponentialProfile{4e3}, Rgb(2e-5, 5e-5, 1e-4), Rgb(0), RayleighPhase{}},
-                 {"layer", TentProfile{12e3, 6e3}, Rgb(0), Rgb(1e-5, 5e-5, 2e-6), RayleighPhase{}}};
-    return air;
-}
 std::vector<Scene> scenes() {
     return {{"Earth, day", presets::earth(), 200, {30, 60}, {20, 80, 120}},
             {"Earth, sunset, level", presets::earth(), 200, {88, 91}, {85, 89.5, 90.1}},

@@ -1,5 +1,6 @@
 // Ratio tracking by itself: its bounds hold, its factors stay in [0, 1], its mean is the transmittance.
 #include "common/pack_atmosphere.h"
+#include "models/reference/small_planet.h"
 
 #include <aureole/presets.h>
 #include <doctest/doctest.h>
@@ -96,14 +97,6 @@ AtmosphereParameters all_kinds() {
     air.terms.push_back({"sheet",
                          TabulatedProfile{{0, 2e3, 6e3, 6.1e3, 6.2e3, 20e3, 60e3}, {0.3, 0.05, 0.05, 1, 0.02, 0.01, 0}},
                          Rgb(2e-4, 3e-4, 4e-4), Rgb(1e-5), RayleighPhase{}});
-    return air;
-}
-AtmosphereParameters small_planet() {
-    AtmosphereParameters air = presets::earth();
-    air.planet.bottom_radius_m = 50e3;
-    air.planet.top_radius_m = 80e3;
-    air.terms = {{"gas", ExponentialProfile{4e3}, Rgb(2e-5, 5e-5, 1e-4), Rgb(0), RayleighPhase{}},
-                 {"layer", TentProfile{12e3, 6e3}, Rgb(0), Rgb(1e-5, 5e-5, 2e-6), RayleighPhase{}}};
     return air;
 }
 struct NamedAir {

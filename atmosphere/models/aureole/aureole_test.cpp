@@ -62,7 +62,7 @@ Image picture(const AtmosphereParameters& air, const QualitySettings& quality) {
 TEST_CASE("aureole: as many moments as an air can make use of, where the quality leaves it open") {
     const ModelPtr high = models::aureole(QualitySettings::high());
     CHECK(high->quality().angular_order == 8);
-    CHECK(high->quality_for(presets::earth()).angular_order == 2);
+    CHECK(high->quality_for(presets::earth()).angular_order == 4);
     CHECK(high->quality_for(presets::hazy_earth()).angular_order == 8);
     CHECK(high->quality_for(presets::mars()).angular_order == 8);
     CHECK(high->quality_for(presets::airless()).angular_order == 0);

@@ -70,12 +70,12 @@ real opacity(vec3 depth, vec3 before) {
 // them it is taken to be no denser than at the thinner. Found along straight lines, so that it moves steadily with the ray.
 real opaque_distance(Ray ray, real t0, real t1, RayMap map, vec3 before) {
     real t = t0;
-    vec3 extinction = medium_extinction(altitude_after(ray.altitude, ray.mu, t0));
+    vec3 extinction = vec3(real(0));
     vec3 depth = vec3(real(0));
     real so_far = real(0);
-    for (int k = RAY_NODES; k >= 0; --k) {
-        real next_t = t1;
-        if (k > 0) next_t -= map_distance(map, quadrature.node[k - 1].x);
+    for (int k = 0; k < RAY_NODES + 2; ++k) {  // the beginning, the nodes from there on, the end
+        real next_t = k == 0 ? t0 : t1;
+        if (k > 0 && k <= RAY_NODES) next_t -= map_distance(map, quadrature.node[RAY_NODES - k].x);
         COUNT(1);
         vec3 next_extinction = medium_extinction(altitude_after(ray.altitude, ray.mu, next_t));
         depth += min(extinction, next_extinction) * (next_t - t);
@@ -96,8 +96,11 @@ void march_piece(Ray ray, real t0, INOUT(real) t1, bool dense_end, bool lit, INO
     real uncut = t1;
     vec3 uncut_depth = vec3(real(0));
     vec3 whole = vec3(real(0));
-    RayMap map = piece_map(ray, t0, t1, dense_end);
+    RayMap map;
     for (int cut = 0; cut <= MOST_CUTS; ++cut) {
+        map = piece_map(ray, t0, t1, dense_end);
+        // The more of the piece is hidden, the less of a scale height is left: what falls within it is the light, from its thin end.
+        if (cut > 0) map.linear = mix(real(1), map.linear, (t1 - t0) / (uncut - t0));
         whole = vec3(real(0));
         for (int j = 0; j < RAY_NODES; ++j) {
             COUNT(1);
@@ -116,9 +119,6 @@ void march_piece(Ray ray, real t0, INOUT(real) t1, bool dense_end, bool lit, INO
         real end = opaque_distance(ray, t0, t1, map, light.depth);
         if (end >= t1) break;
         t1 = end;
-        map = piece_map(ray, t0, t1, dense_end);
-        // The more of the piece is hidden, the less of a scale height is left: what falls within it is the light, from its thin end.
-        map.linear = mix(real(1), map.linear, (t1 - t0) / (uncut - t0));
     }
 
     vec3 single[MAX_PHASES];

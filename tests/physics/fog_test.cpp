@@ -94,8 +94,7 @@ TEST_CASE("fog: single scattering in it is what quadrature says, up and level, t
         }
 }
 
-TEST_CASE(
-    "fog filling the shell, from just below its top: single scattering below the horizon is Lommel's and Seeliger's law") {
+TEST_CASE("fog filling the shell, from just below its top: single scattering is by the law of Lommel and Seeliger") {
     // A ray down into it is tens to millions of optical depths long; all that is seen comes from the first few.
     for (const double extinction : {1e-3, 1e-2, 0.1}) {
         CAPTURE(extinction);

@@ -47,6 +47,7 @@ void complete_rows(const Suite& suite, const SuiteAir& air, TruthKind kind, std:
     const std::vector<ProbeRow> rows = table.missing(wanted, {settings.error, settings.max_paths});
     print_state(file, rows.size(), table.size(), "directions");
     if (rows.empty()) return;
+    table.check_may_grow(file);
     Tracer tracer(backend, air.parameters, rows, settings);
     const TraceParameters traced = parameters_of(air.parameters, settings, backend);
     if (std::filesystem::exists(checkpoint)) read_checkpoint(checkpoint, traced, tracer);
@@ -94,6 +95,7 @@ public:
             if (!table_.missing(keys(*scene), wanted_).empty()) missing.push_back(scene);
         print_state(file_, missing.size(), scenes.size(), "scenes");
         if (missing.empty()) return;
+        table_.check_may_grow(file_);
         Progress progress(missing.size() * progress_steps, stderr, isatty(STDERR_FILENO) == 1);
         for (std::size_t i = 0; i < missing.size(); ++i) {
             trace(*missing[i], [&](double share) {

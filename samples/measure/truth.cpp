@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 
 namespace aureole::app {
 namespace {
@@ -50,6 +51,28 @@ std::string comment(TruthKind kind, TraceParameters parameters) {
     return std::string(of(kind).title) + print_parameters(parameters);
 }
 
+/// Where a line of parameters ends in "name=number": that number, which is cut off.
+std::optional<int> cut_off(std::string& line, std::string_view name) {
+    const std::size_t space = line.rfind(' ');
+    if (space == line.npos || line.compare(space + 1, name.size() + 1, std::string(name) + "=") != 0) return {};
+    int value = 0;
+    const char* const end = line.data() + line.size();
+    const auto [rest, error] = std::from_chars(line.data() + space + name.size() + 2, end, value);
+    if (error != std::errc() || rest != end) return {};
+    line.resize(space);
+    return value;
+}
+TruthMadeBy cut_off_made_by(std::string& line) {
+    TruthMadeBy made_by;
+    made_by.version = cut_off(line, "version");
+    made_by.seed = cut_off(line, "seed");
+    return made_by;
+}
+std::string print(const TruthMadeBy& made_by) {
+    return (made_by.seed ? " seed=" + std::to_string(*made_by.seed) : "") +
+           (made_by.version ? " version=" + std::to_string(*made_by.version) : "");
+}
+
 /// Says which of the names and values is another one.
 void compare(const std::filesystem::path& path, const std::string& there, const std::string& here) {
     if (there == here) return;
@@ -69,7 +92,9 @@ TruthTable TruthTable::read(const std::filesystem::path& path, const TraceParame
     TruthTable result(kind);
     if (!std::filesystem::exists(path)) return result;
     const CsvTable table = read_csv(path, of(kind).columns);
-    compare(path, table.comments.empty() ? "" : table.comments.front(), comment(kind, parameters));
+    std::string line = table.comments.empty() ? "" : table.comments.front();
+    result.made_by_ = cut_off_made_by(line);
+    compare(path, line, comment(kind, parameters));
     for (std::size_t i = 0; i < table.rows(); ++i) {
         const auto at = [&](std::size_t column) { return table.columns[column][i]; };
         for (const std::size_t column : {std::size_t{7}, std::size_t{8}, std::size_t{9}, std::size_t{10}})
@@ -83,8 +108,19 @@ TruthTable TruthTable::read(const std::filesystem::path& path, const TraceParame
     return result;
 }
 
+void TruthTable::check_may_grow(const std::filesystem::path& path) const {
+    const TruthMadeBy today;
+    const auto check = [&](const char* name, const std::optional<int>& there, const std::optional<int>& here) {
+        if (!there || there == here) return;
+        throw Error(ErrorCode::invalid_argument, path.string() + ": " + name, std::to_string(*there),
+                    std::to_string(*here) + "; remove the file, and `aureole truth` makes it anew");
+    };
+    check("seed", made_by_.seed, today.seed);
+    check("version", made_by_.version, today.version);
+}
+
 void TruthTable::write(const std::filesystem::path& path, const TraceParameters& parameters) const {
-    std::string text = "# " + comment(kind_, parameters) + "\n";
+    std::string text = "# " + comment(kind_, parameters) + print(made_by_) + "\n";
     for (const std::string_view column : of(kind_).columns) text.append(column).append(column == "paths" ? "\n" : ",");
     for (const auto& [place, entry] : entries_) {
         for (const double value : place) text.append(print_number(value)).append(",");

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,15 @@ enum class TruthKind : std::uint8_t {
     aerial,   ///< Radiance of the pixels of an AerialView (aerial.h), 1/sr; pixel.
     picture,  ///< Radiance of the pixels of a picture (pictures.h), 1/sr; view_zenith_deg.
     light,    ///< Irradiance; part: 0 that of the sky on a horizontal surface, 1 that of the sun on one that faces it.
+};
+
+/// What a table's numbers depend on beside its parameters. Older tables do not say all of it, and remain so when they grow.
+struct TruthMadeBy {
+    static constexpr int present_version = 1;  ///< To be raised when the path tracer draws or weighs its paths otherwise.
+
+    std::optional<int> seed = TraceSettings{}.seed;  ///< Of TraceSettings.
+    std::optional<int> version = present_version;
+    [[nodiscard]] bool operator==(const TruthMadeBy&) const = default;
 };
 
 /// What is known of one air.
@@ -35,6 +45,10 @@ public:
     /// parameters, naming the first that differs, and as read_csv does.
     [[nodiscard]] static TruthTable read(const std::filesystem::path& path, const TraceParameters& parameters,
                                          TruthKind kind = TruthKind::sky);
+    [[nodiscard]] const TruthMadeBy& made_by() const noexcept { return made_by_; }
+    /// Throws Error(invalid_argument) naming `path` if what was made by another seed or version stands in the table: nothing
+    /// of today may be put beside it.
+    void check_may_grow(const std::filesystem::path& path) const;
     /// Replaces the file.
     void write(const std::filesystem::path& path, const TraceParameters& parameters) const;
 
@@ -52,6 +66,7 @@ public:
 private:
     using Place = std::array<double, 4>;
     TruthKind kind_;
+    TruthMadeBy made_by_;
     std::map<Place, Entry> entries_;
 };
 

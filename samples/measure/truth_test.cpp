@@ -68,6 +68,35 @@ TEST_CASE("truth: a table reads back as it was written, and knows what it lacks"
     CHECK(places[1].truth[5].value == table.find(places[1].points[5].row)->value.value);
 }
 
+TEST_CASE("truth: a table says by what seed and version it was made, and older ones say no more than they did") {
+    const TraceParameters earth = truth_parameters({"a", presets::earth()});
+    TruthTable table;
+    table.set({}, entry(1));
+    table.write("made_by.csv", earth);
+    const std::string today = " seed=0 version=" + std::to_string(TruthMadeBy::present_version) + "\n";
+    CHECK(contains(get("made_by.csv"), "spectral=rgb" + today));
+    CHECK(TruthTable::read("made_by.csv", earth).made_by() == TruthMadeBy{});
+
+    const auto after = [&](const std::string& end) {
+        std::string text = get("made_by.csv");
+        text.replace(text.find(" seed="), text.find('\n') - text.find(" seed="), end);
+        put("older.csv", text);
+        return TruthTable::read("older.csv", earth);
+    };
+    for (const std::string end : {"", " seed=0"}) {
+        const TruthTable older = after(end);
+        CHECK(older.made_by().seed.has_value() == !end.empty());
+        CHECK_FALSE(older.made_by().version);
+        CHECK_NOTHROW(older.check_may_grow("older.csv"));
+        older.write("older.csv", earth);
+        CHECK(contains(get("older.csv"), "spectral=rgb" + end + "\n"));
+    }
+    CHECK(contains(complaint([&] { after(" seed=7").check_may_grow("older.csv"); }), "older.csv: seed: 7"));
+    CHECK(contains(complaint([&] { after(" seed=0 version=99").check_may_grow("older.csv"); }), "older.csv: version: 99"));
+    CHECK(after(" seed=0 version=99").size() == 1);  // it is truth all the same
+    CHECK(contains(complaint([&] { (void)after(" seed=x"); }), "seed=x"));
+}
+
 TEST_CASE("truth: a table of other air is refused by what differs") {
     const TraceParameters earth = truth_parameters({"a", presets::earth()});
     TruthTable().write("other.csv", earth);

@@ -156,7 +156,7 @@ def check_charts(found, measurements):
         measured = {result['setting'] for result in rows_of(measurements, name)}
         points = len(paid & measured)
         for key in (key for key in found if key.startswith('fronts')):
-            missing = key.endswith(('=nadir', '=antisolar', '=aerial', '=composite_ms'))
+            missing = key.endswith(('=nadir', '=antisolar', '=aerial', '=aerial near', '=aerial far', '=composite_ms'))
             left = sum(models[setting] != 'hillaire' for setting in paid & measured)
             wanted = 0 if missing else left if key.endswith('less') else points
             same(key, chart, 'points', wanted)
@@ -167,7 +167,7 @@ def check_charts(found, measurements):
     for key in (key for key in found if key.startswith('sun')):
         name = key.split('Scenes=')[1] if 'Scenes=' in key else 'Earth by day'
         settings = chosen + ['aureole high'] * key.endswith('more')
-        missing = key.endswith(('=nadir', '=antisolar', '=aerial'))
+        missing = key.endswith(('=nadir', '=antisolar', '=aerial', '=aerial near', '=aerial far'))
         points = [result for result in rows_of(measurements, name) if result['setting'] in settings]
         same(key, 'sun', 'points', 0 if missing else len(points))
         same(key, 'sun', 'lines', 0 if missing else len({result['setting'] for result in points}))

@@ -5,7 +5,6 @@
 #include "report/table.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 namespace aureole::app {
@@ -104,11 +103,10 @@ std::string added(const std::optional<double>& error) {
 
 /// "0.12 (34 %)": of what the baseline costs.
 std::string saved(const Simplification& of, const Figure& figure) {
-    const auto found = of.costs.find(std::string(figure.key));
-    if (found == of.costs.end()) return std::string(not_measured);
-    const auto [before, after] = found->second;
-    if (before == 0) return in_unit(before - after, figure.unit);
-    return in_unit(before - after, figure.unit) + " (" + std::to_string(std::lround(100 * (before - after) / before)) + " %)";
+    const auto found = of.saved.find(std::string(figure.key));
+    if (found == of.saved.end()) return std::string(not_measured);
+    const auto& [amount, share] = found->second;
+    return in_unit(amount, figure.unit) + (share ? " (" + whole_percent(*share) + ")" : "");
 }
 
 std::string simplifications_table(const Measurements& all, const ClassSummary& of) {

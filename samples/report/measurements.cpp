@@ -101,9 +101,14 @@ Spread read_spread(const Field& field) {
 }
 
 MeasuredScene read_scene(const Field& field, Places& known) {
-    MeasuredScene scene{new_id(field, known), field.at("class").text(), field.at("air").text()};
+    MeasuredScene scene;
+    scene.id = new_id(field, known);
+    scene.scene_class = field.at("class").text();
+    scene.air = field.at("air").text();
     scene.sun_elevation_deg = field.at("sun_elevation_deg").number(-90, 90, "-90 to 90 degrees");
     scene.altitude_m = field.at("altitude_m").number(-1e12, 1e12, "a finite number of metres");
+    for (const Field& bare : field.list("bare", true))
+        if (!is_empty(bare)) scene.bare[bare.at("distance_km").number(0, 1e9, "a distance in km")] = read_spread(bare);
     return scene;
 }
 
@@ -179,7 +184,8 @@ MeasuredResult read_result(const Field& field, const Places& scenes, const Place
 MeasuredCost read_cost(const Field& field, const std::set<std::string>& airs, const Places& settings) {
     MeasuredCost cost{field.at("air").text(), find(field.at("setting"), settings, "setting"), {}};
     if (!airs.contains(cost.air)) field.at("air").reject("the air of a scene");
-    for (const char* time : {"per_frame_ms", "rebuild_ms", "composite_ms"})
+    for (const char* time :
+         {"per_frame_ms", "rebuild_ms", "composite_ms", "composite_geometry_ms", "composite_bare_ms", "aerial_perspective_ms"})
         if (field.has(time)) {
             cost.figures[time] = field.at(time).at("median").amount();
             for (const std::string end : {"p10", "p90"})

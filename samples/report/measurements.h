@@ -13,8 +13,9 @@
 namespace aureole::app::report {
 
 /// Where in a scene, in the order of tables: `all` is every direction.
-inline constexpr std::array<std::string_view, 7> region_names{"all",       "zenith", "horizon", "aureole",
-                                                              "antisolar", "nadir",  "aerial"};
+/// The last two are parts of `aerial`: up to 10 km, and beyond.
+inline constexpr std::array<std::string_view, 9> region_names{"all",   "zenith", "horizon",     "aureole",   "antisolar",
+                                                              "nadir", "aerial", "aerial near", "aerial far"};
 /// What an error is made of.
 inline constexpr std::array<std::string_view, 3> part_names{"rounding", "discretisation", "model"};
 /// Of each direction the three together: no quantile is less than that of the error.
@@ -30,6 +31,7 @@ struct Spread {
 struct MeasuredScene {
     std::string id, scene_class, air;
     double sun_elevation_deg = 0, altitude_m = 0;
+    std::map<double, Spread> bare;  ///< Of geometry without the air before it, by its distance in km; where known.
 };
 
 struct MeasuredSetting {

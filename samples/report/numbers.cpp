@@ -30,6 +30,8 @@ std::string short_number(double value) {
     return digits;
 }
 
+std::string whole_percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
+
 std::string in_unit(double value, Unit unit) {
     switch (unit) {
         case Unit::percent:

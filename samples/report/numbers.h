@@ -13,6 +13,8 @@ inline constexpr std::string_view not_measured = "–";
 [[nodiscard]] std::string short_number(double value);
 /// In the figure's unit, which its title names: fractions as %, bytes as MiB, counts as "12.3 k", "1.23 M".
 [[nodiscard]] std::string in_unit(double value, Unit unit);
+/// "34 %"
+[[nodiscard]] std::string whole_percent(double share);
 /// `not_measured` for none. Of a time with its range: "1.23 (1.2 to 1.4)".
 [[nodiscard]] std::string in_unit(const std::map<std::string, double>& figures, const Figure& figure);
 

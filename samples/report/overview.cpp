@@ -4,7 +4,7 @@
 #include "report/table.h"
 
 #include <algorithm>
-#include <cmath>
+#include <set>
 
 namespace aureole::app::report {
 namespace {
@@ -57,10 +57,9 @@ std::string settings_at_a_glance(const Measurements& all, const std::vector<Clas
 
 /// In percent of what the baseline costs.
 std::string saved(const Simplification& of, std::string_view key) {
-    const auto found = of.costs.find(std::string(key));
-    if (found == of.costs.end() || found->second.first == 0) return std::string(not_measured);
-    const auto [before, after] = found->second;
-    return std::to_string(std::lround(100 * (before - after) / before)) + " %";
+    const auto found = of.saved.find(std::string(key));
+    if (found == of.saved.end() || !found->second.share) return std::string(not_measured);
+    return whole_percent(*found->second.share);
 }
 
 /// Simplifications by class: a column a class, a cell what `cell_of` says; empty: not measured.
@@ -117,12 +116,12 @@ std::string pair_of(const std::optional<double>& median, const std::optional<dou
 std::string simplifications_at_a_glance(const Measurements& all, const std::vector<ClassSummary>& classes) {
     const auto both = [](std::string_view frame, std::string_view rebuild) {
         return [=](const Simplification& one) {
-            return one.costs.empty() ? std::string() : saved(one, frame) + " / " + saved(one, rebuild);
+            return one.saved.empty() ? std::string() : saved(one, frame) + " / " + saved(one, rebuild);
         };
     };
     const auto sky = [](const Simplification& one) { return pair_of(one.added_median, one.added_p95); };
     const auto geometry = [](const Simplification& one) { return pair_of(one.added_geometry_median, one.added_geometry_p95); };
-    const auto memory = [](const Simplification& one) { return one.costs.empty() ? std::string() : saved(one, "bytes"); };
+    const auto memory = [](const Simplification& one) { return one.saved.empty() ? std::string() : saved(one, "bytes"); };
     return print("What each simplification adds to the error of the sky, in percentage points, median / 95th percentile",
                  by_class(all, classes, sky)) +
            print("The same of geometry at 1 to 100 km, seen through the air", by_class(all, classes, geometry)) +
@@ -133,13 +132,75 @@ std::string simplifications_at_a_glance(const Measurements& all, const std::vect
            print("Of the tables' memory", distinct(by_class(all, classes, memory)));
 }
 
+/// 95th percentiles of every setting, near and far.
+std::string geometry_by_distance(const Measurements& all, const std::vector<ClassSummary>& classes) {
+    ByClass table{{"Setting"}, {}};
+    for (const ClassSummary& of : classes) table.titles.push_back(cell(of.name));
+    for (std::size_t setting = 0; setting < all.settings.size(); ++setting) {
+        std::vector<std::string> cells{cell(all.settings[setting].id)};
+        bool any = false;
+        for (const ClassSummary& of : classes) {
+            const Summary* here = find(of.settings, setting);
+            const auto p95 = [&](const char* region) {
+                const bool known = here != nullptr && here->regions.contains(region);
+                any |= known;
+                return known ? in_unit(here->regions.at(region).p95, Unit::percent) : std::string(not_measured);
+            };
+            const std::string near = p95("aerial near"), far = p95("aerial far");
+            cells.push_back(near == far ? near : near + " / " + far);
+        }
+        if (any) table.rows.push_back(std::move(cells));
+    }
+    return print("Error of geometry at 1 to 10 km / at 10 to 100 km, 95th percentile in percent", table);
+}
+
+/// A line a distance.
+std::string air_left_out(const std::vector<ClassSummary>& classes) {
+    ByClass table{{"Geometry as far as, km"}, {}};
+    std::set<double> distances;
+    for (const ClassSummary& of : classes) {
+        table.titles.push_back(cell(of.name));
+        for (const auto& [km, error] : of.bare) distances.insert(km);
+    }
+    for (const double km : distances) {
+        std::vector<std::string>& cells = table.rows.emplace_back(std::vector{short_number(km)});
+        for (const ClassSummary& of : classes) {
+            const auto found = of.bare.find(km);
+            cells.push_back(found == of.bare.end() ? std::string(not_measured)
+                                                   : in_unit(found->second.median, Unit::percent) + " / " +
+                                                         in_unit(found->second.p95, Unit::percent));
+        }
+    }
+    return print(
+        "Aerial perspective left out (under every model the same): error of geometry by its distance, median / 95th "
+        "percentile in percent",
+        table);
+}
+
+/// In the air of the first class that has it.
+std::string air_left_out_saves(const Measurements& all, const std::vector<ClassSummary>& classes) {
+    std::string rows;
+    for (std::size_t setting = 0; setting < all.settings.size(); ++setting)
+        for (const ClassSummary& of : classes) {
+            const Summary* here = find(of.settings, setting);
+            if (here == nullptr || !here->without_air) continue;
+            const Saving& saved = *here->without_air;
+            rows += row({cell(all.settings[setting].id), in_unit(saved.amount, Unit::milliseconds),
+                         saved.share ? whole_percent(*saved.share) : std::string(not_measured)});
+            break;
+        }
+    if (rows.empty()) return "";
+    return "\nWhat leaving it out saves of a frame with geometry:\n\n" + header({"Setting", "ms", "of the frame"}) + rows;
+}
+
 }  // namespace
 
 std::string overview_tables(const Measurements& all, const std::vector<ClassSummary>& classes) {
     return "Suite `" + all.suite + "`, on " + (all.cost_device.empty() ? all.device : all.cost_device) +
            ". Median / 95th percentile of the error of radiance, in percent; costs in the airs of the first class that "
            "has them.\n\n" +
-           settings_at_a_glance(all, classes) + simplifications_at_a_glance(all, classes);
+           settings_at_a_glance(all, classes) + simplifications_at_a_glance(all, classes) + geometry_by_distance(all, classes) +
+           air_left_out(classes) + air_left_out_saves(all, classes);
 }
 
 }  // namespace aureole::app::report

@@ -35,8 +35,8 @@ json to_json(const Summary& of, const Measurements& all) {
 
 json to_json(const Simplification& of, const Measurements& all) {
     const auto number = [](const std::optional<double>& value) { return value ? json(*value) : json(); };
-    json costs = json::object();
-    for (const auto& [key, pair] : of.costs) costs[key] = {{"baseline", pair.first}, {"setting", pair.second}};
+    json saved = json::object();
+    for (const auto& [key, saving] : of.saved) saved[key] = {{"amount", saving.amount}, {"share", number(saving.share)}};
     return {{"setting", all.settings[of.setting].id},
             {"without", all.settings[of.setting].without},
             {"baseline", all.settings[of.baseline].id},
@@ -45,7 +45,7 @@ json to_json(const Simplification& of, const Measurements& all) {
             {"added_p95", number(of.added_p95)},
             {"added_geometry_median", number(of.added_geometry_median)},
             {"added_geometry_p95", number(of.added_geometry_p95)},
-            {"costs", std::move(costs)}};
+            {"saved", std::move(saved)}};
 }
 
 json to_json(const ClassSummary& of, const Measurements& all) {

@@ -119,7 +119,7 @@ TEST_CASE("report: a simplification is compared with its baseline in the scenes 
     CHECK(both.scenes == 2);
     CHECK(*both.added_median == doctest::Approx(0.04 - 0.003));
     CHECK(*both.added_p95 == doctest::Approx(0.2 - 0.016));
-    CHECK(both.costs.at("per_frame_fetches") == std::pair<double, double>(900000, 700000));
+    CHECK(both.saved.at("per_frame_fetches") == Saving{200000, 200000.0 / 900000});
     // Without the baseline in the scene of 10 degrees, that of 60 is what is left.
     json& results = measurements["results"];
     results.erase(std::find_if(results.begin(), results.end(), [](const json& result) {
@@ -166,6 +166,40 @@ TEST_CASE("report: tables in Markdown") {
         CHECK(bars == cells);
     }
     CHECK(tables_seen == 11);
+}
+
+TEST_CASE("report: geometry by its distance, and what it is without the air before it") {
+    json measurements = example();
+    const auto bare = [](double km, double median, double p95) {
+        return json{{"distance_km", km}, {"rows", 5}, {"median", median}, {"p95", p95}, {"max", p95}};
+    };
+    measurements["scenes"][0]["bare"] = {bare(0.1, 0.01, 0.02), bare(1, 0.1, 0.2)};
+    measurements["scenes"][1]["bare"] = {bare(0.1, 0.03, 0.04), {{"distance_km", 1}, {"rows", 0}}};
+    measurements["results"][0]["regions"]["aerial near"] = bare(1, 0.001, 0.002);
+    measurements["results"][0]["regions"]["aerial far"] = bare(1, 0.003, 0.004);
+    for (const auto& [name, ms] : {std::pair{"composite_ms", 1.0},
+                                   {"composite_geometry_ms", 1.2},
+                                   {"composite_bare_ms", 0.9},
+                                   {"aerial_perspective_ms", 0.1}})
+        measurements["costs"][0][name] = {{"median", ms}};
+    const std::vector<ClassSummary> classes = summaries(measurements);
+    CHECK(classes[0].bare.at(0.1).median == doctest::Approx(0.02));
+    CHECK(classes[0].bare.at(0.1).p95 == 0.04);
+    CHECK(classes[0].bare.at(1).p95 == 0.2);
+    CHECK(classes[1].bare.empty());
+    // A frame of 1.5 ms has 0.5 of tables; over geometry it takes 1.7, without the air 0.4 + 0.9.
+    REQUIRE(classes[0].settings[0].without_air);
+    CHECK(classes[0].settings[0].without_air->amount == doctest::Approx(0.4));
+    CHECK(*classes[0].settings[0].without_air->share == doctest::Approx(0.4 / 1.7));
+    CHECK_FALSE(classes[0].settings[1].without_air);
+    const std::string tables = markdown_tables(measurements);
+    CHECK(contains(tables, "| 0.1 | 2 / 4 | – |"));
+    CHECK(contains(tables, "| 1 | 10 / 20 | – |"));
+    CHECK(contains(tables, "| hillaire default | 0.2 / 0.4 | – |"));
+    CHECK(contains(tables, "| hillaire default | 0.4 | 24 % |"));
+    measurements["scenes"][0]["bare"][0]["distance_km"] = -1;
+    CHECK(contains(complaint([&] { (void)markdown_tables(measurements, "m.json"); }),
+                   "m.json: scenes[0].bare[0].distance_km: -1"));
 }
 
 TEST_CASE("report: parts that were not measured are said to be missing") {

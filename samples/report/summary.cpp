@@ -7,6 +7,7 @@
 #include <set>
 #include <span>
 #include <tuple>
+#include <type_traits>
 
 namespace aureole::app::report {
 namespace {
@@ -21,12 +22,12 @@ double median(std::vector<double> values) {
 }
 
 /// By name: median of medians, greatest of the rest.
-template <class SpreadsOf>
-std::map<std::string, Spread> over_scenes(const Results& results, const SpreadsOf& spreads_of) {
-    std::map<std::string, std::vector<double>> medians;
-    std::map<std::string, Spread> worst;
-    for (const MeasuredResult* result : results)
-        for (const auto& [name, spread] : spreads_of(*result)) {
+template <class List, class SpreadsOf>
+auto over_scenes(const List& list, const SpreadsOf& spreads_of) {
+    auto worst = std::decay_t<decltype(spreads_of(*list.front()))>();
+    std::map<typename decltype(worst)::key_type, std::vector<double>> medians;
+    for (const auto* one : list)
+        for (const auto& [name, spread] : spreads_of(*one)) {
             medians[name].push_back(spread.median);
             Spread& so_far = worst[name];
             so_far.p95 = std::max(so_far.p95, spread.p95);
@@ -45,6 +46,20 @@ std::map<std::string, double> costs_of(const Measurements& all, std::size_t sett
     std::map<std::string, double> costs;
     for (const auto& [key, list] : values) costs[key] = median(list);
     return costs;
+}
+
+Saving saving(double before, double after) {
+    return {before - after, before > 0 ? std::optional((before - after) / before) : std::nullopt};
+}
+
+/// The froxels, and what the composite does for them.
+std::optional<Saving> without_air(const std::map<std::string, double>& costs) {
+    for (const char* key :
+         {"per_frame_ms", "composite_ms", "composite_geometry_ms", "aerial_perspective_ms", "composite_bare_ms"})
+        if (!costs.contains(key)) return {};
+    const double tables = costs.at("per_frame_ms") - costs.at("composite_ms");
+    return saving(tables + costs.at("composite_geometry_ms"),
+                  tables - costs.at("aerial_perspective_ms") + costs.at("composite_bare_ms"));
 }
 
 Results only(const Results& results, const Results& scenes_of) {
@@ -84,7 +99,7 @@ Simplification compare(const Measurements& all, std::size_t setting, const Resul
     std::tie(out.added_median, out.added_p95) = added_in("all", only(with, whole), whole);
     std::tie(out.added_geometry_median, out.added_geometry_p95) = added_in("aerial", only(with, whole), whole);
     for (const auto& [key, cost] : more.costs)
-        if (less.costs.contains(key)) out.costs[key] = {cost, less.costs.at(key)};
+        if (less.costs.contains(key)) out.saved[key] = saving(cost, less.costs.at(key));
     return out;
 }
 
@@ -93,6 +108,10 @@ ClassSummary summarize_class(const Measurements& all, const std::string& name) {
     out.name = name;
     const auto in_class = [&](const MeasuredScene& scene) { return scene.scene_class == name; };
     out.scenes = static_cast<std::size_t>(std::count_if(all.scenes.begin(), all.scenes.end(), in_class));
+    std::vector<const MeasuredScene*> scenes;
+    for (const MeasuredScene& scene : all.scenes)
+        if (in_class(scene)) scenes.push_back(&scene);
+    out.bare = over_scenes(scenes, [](const MeasuredScene& scene) { return scene.bare; });
     std::vector<Results> of(all.settings.size());
     for (const MeasuredResult& result : all.results)
         if (in_class(all.scenes[result.scene])) of[result.setting].push_back(&result);
@@ -113,7 +132,7 @@ ClassSummary summarize_class(const Measurements& all, const std::string& name) {
 }  // namespace
 
 Summary summarize(const Measurements& all, std::size_t setting, const Results& results) {
-    Summary out{setting, results.size(), {}, {}, {}, {}};
+    Summary out{setting, results.size(), {}, {}, {}, {}, {}};
     out.regions = over_scenes(results, [](const MeasuredResult& of) { return of.regions; });
     std::set<std::string> what;
     for (const MeasuredResult* result : results)
@@ -129,6 +148,7 @@ Summary summarize(const Measurements& all, std::size_t setting, const Results& r
             worst = std::max(worst, error);
         }
     out.costs = costs_of(all, setting, results);
+    out.without_air = without_air(out.costs);
     return out;
 }
 

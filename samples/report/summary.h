@@ -12,6 +12,13 @@ inline constexpr std::string_view aggregation_note =
     "the "
     "medians the median, of the 95th percentiles the greatest.";
 
+/// What is saved of a cost, and which share of it; none of nothing.
+struct Saving {
+    double amount = 0;
+    std::optional<double> share;
+    [[nodiscard]] bool operator==(const Saving&) const = default;
+};
+
 /// One setting over scenes: errors as aggregation_note says. What no scene has is missing.
 struct Summary {
     std::size_t setting = 0;
@@ -20,6 +27,7 @@ struct Summary {
     std::map<std::string, std::map<std::string, Spread>> split;  ///< As MeasuredResult's.
     std::map<std::string, double> errors;                        ///< By keys of scene_figures.
     std::map<std::string, double> costs;                         ///< By keys of cost_figures.
+    std::optional<Saving> without_air;  ///< Of a frame with geometry's ms, where the air before it is left out.
 };
 
 /// What leaving something out costs and saves: a setting minus its baseline, over the scenes of a class that both have.
@@ -29,8 +37,8 @@ struct Simplification {
     /// the 95th percentiles' the greatest.
     std::optional<double> added_median, added_p95;
     std::optional<double> added_geometry_median, added_geometry_p95;  ///< The same of region `aerial`.
-    /// What the baseline and the setting cost, by keys of cost_figures: those that both have.
-    std::map<std::string, std::pair<double, double>> costs;
+    /// By keys of cost_figures: those that both have.
+    std::map<std::string, Saving> saved;
 };
 
 struct ClassSummary {
@@ -39,6 +47,8 @@ struct ClassSummary {
     std::vector<Summary> settings;                  ///< Those with a result, in the file's order.
     std::map<double, std::vector<Summary>> by_sun;  ///< The same by elevation of the sun in degrees.
     std::vector<Simplification> simplifications;
+    /// Errors of geometry without the air before it, by its distance in km: of medians the median, of the rest the worst scene.
+    std::map<double, Spread> bare;
 };
 
 /// In the order in which the scenes name the classes.

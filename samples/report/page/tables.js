@@ -11,10 +11,10 @@ function table(caption, titles, rows, textColumns = 1) {
 
 const missingText = (text) => element('div', {className: 'missing', textContent: text});
 
-function saved({baseline, setting} = {}, unit) {
-    if (baseline === undefined) return NOT_MEASURED;
-    const share = baseline > 0 ? ` (${Math.round(100 * (baseline - setting) / baseline)} %)` : '';
-    return inUnit(baseline - setting, unit, {suffix: false}) + share;
+/** As summary.h worked it out. */
+function saved({amount, share} = {}, unit) {
+    if (amount === undefined) return NOT_MEASURED;
+    return inUnit(amount, unit, {suffix: false}) + (share === null ? '' : ` (${Math.round(100 * share)} %)`);
 }
 
 const added = (error) => (error === null ? NOT_MEASURED : (error > 0 ? '+' : '') + inUnit(error, 'percent', {suffix: false}));
@@ -32,7 +32,7 @@ function simplifications(data) {
             return table(of.name, titles, of.simplifications.map((one) => [
                 one.without.join(', '), one.baseline, String(one.scenes), added(one.added_median), added(one.added_p95),
                 added(one.added_geometry_median), added(one.added_geometry_p95),
-                ...data.cost_figures.map((figure) => saved(one.costs[figure.key], figure.unit))]), 2);
+                ...data.cost_figures.map((figure) => saved(one.saved[figure.key], figure.unit))]), 2);
         }));
     }
     return redraw;

@@ -54,6 +54,69 @@ std::optional<std::size_t> least(const std::vector<PlanCandidate>& candidates, c
     return best;
 }
 
+/// A composite under one sun.
+double shown_ms(const MeasuredCost& measured, AirBefore air) {
+    if (air == AirBefore::nothing) return measured.composite_ms;
+    const bool bare = air == AirBefore::left_out && measured.composite_bare_ms > 0;
+    return bare ? measured.composite_bare_ms : measured.composite_geometry_ms;
+}
+
+PlanError with(PlanError error, const PredictedError& geometry) {
+    error.p95 = std::max(error.p95, geometry.likely);
+    error.bound = std::max(error.bound, geometry.bound);
+    return error;
+}
+
+/// Of sky and light, as `worse` says.
+std::optional<PlanError> worse_beside_geometry(const PlanRequirements& requirements, const MeasuredSetting& setting,
+                                               Predictor::Here& here, const PlanError& so_far) {
+    PlanError worst = so_far;
+    const std::optional<PredictedError> median = here.predict(setting.sky_median);
+    const std::optional<PredictedError> sky = here.predict(setting.sky_p95);
+    if (!median || !sky) return {};
+    worst.median = std::max(worst.median, median->likely);
+    worst.p95 = std::max(worst.p95, sky->likely);
+    worst.bound = std::max(worst.bound, sky->bound);
+    if (requirements.light && here.predictor().knows_light() && !here.above_air()) {
+        const std::optional<PredictedError> light = here.predict(setting.light);
+        if (!light) return {};
+        worst.light = std::max(worst.light, light->likely);
+        worst.bound = std::max(worst.bound, light->bound);
+    }
+    return worst;
+}
+
+/// Of geometry as far as it may be.
+std::optional<PredictedError> through_air(const PlanRequirements& requirements, const MeasuredSetting& setting,
+                                          Predictor::Here& here) {
+    PredictedError worst;
+    for (const MeasuredError* error : errors_of_geometry(setting, requirements.geometry_range_m)) {
+        if (error == nullptr) continue;
+        const std::optional<PredictedError> found = here.predict(*error);
+        if (!found) return {};
+        worst = {std::max(worst.likely, found->likely), std::max(worst.bound, found->bound)};
+    }
+    return worst;
+}
+
+std::optional<PredictedError> worst_bare(const PlanRequirements& requirements, const Predictor& predictor,
+                                         const std::vector<Situation>& places) {
+    PredictedError worst;
+    const double densest = densest_extinction_per_m(requirements.air);
+    for (const Situation& place : places) {
+        const auto here = predictor.at(place).bare(requirements.geometry_range_m, densest);
+        if (!here) return {};
+        worst = {std::max(worst.likely, here->likely), std::max(worst.bound, here->bound)};
+    }
+    return worst;
+}
+
+AirBefore choose_air(const PlanRequirements& requirements, const std::optional<PredictedError>& bare, bool keep_air) {
+    const bool within = bare && requirements.tolerance && bare->bound <= *requirements.tolerance;
+    if (within && !requirements.shadows && !keep_air) return AirBefore::left_out;
+    return air_asked_for(requirements);
+}
+
 }  // namespace
 
 std::vector<Situation> situations_of(const PlanRequirements& requirements, const MeasuredSkies& skies) {
@@ -84,26 +147,11 @@ std::vector<Situation> situations_of(const PlanRequirements& requirements, const
 
 std::optional<PlanError> worse(const PlanRequirements& requirements, const MeasuredSetting& setting, Predictor::Here& here,
                                const PlanError& so_far) {
-    PlanError worst = so_far;
-    const std::optional<PredictedError> median = here.predict(setting.sky_median);
-    const std::optional<PredictedError> sky = here.predict(setting.sky_p95);
-    if (!median || !sky) return {};
-    worst.median = std::max(worst.median, median->likely);
-    worst.p95 = std::max(worst.p95, sky->likely);
-    worst.bound = std::max(worst.bound, sky->bound);
-    if (requirements.geometry) {
-        const std::optional<PredictedError> through = here.predict(setting.aerial_p95);
-        if (!through) return {};
-        worst.p95 = std::max(worst.p95, through->likely);
-        worst.bound = std::max(worst.bound, through->bound);
-    }
-    if (requirements.light && here.predictor().knows_light() && !here.above_air()) {
-        const std::optional<PredictedError> light = here.predict(setting.light);
-        if (!light) return {};
-        worst.light = std::max(worst.light, light->likely);
-        worst.bound = std::max(worst.bound, light->bound);
-    }
-    return worst;
+    std::optional<PlanError> worst = worse_beside_geometry(requirements, setting, here, so_far);
+    if (!worst || !requirements.geometry) return worst;
+    const std::optional<PredictedError> through = through_air(requirements, setting, here);
+    if (!through) return {};
+    return with(*worst, *through);
 }
 
 std::optional<double> measured_worst(const PlanRequirements& requirements, const MeasuredSetting& setting, std::size_t scene) {
@@ -113,8 +161,10 @@ std::optional<double> measured_worst(const PlanRequirements& requirements, const
         worst = std::max(worst, truth.value_or(0));
         return truth.has_value();
     };
-    const bool known = take(setting.sky_p95) && (!requirements.geometry || take(setting.aerial_p95)) &&
-                       (!requirements.light || take(setting.light));
+    bool known = take(setting.sky_p95) && (!requirements.light || take(setting.light));
+    if (!requirements.geometry) return known ? std::optional(worst) : std::nullopt;
+    for (const MeasuredError* error : errors_of_geometry(setting, requirements.geometry_range_m))
+        known &= error == nullptr || take(*error);
     return known ? std::optional(worst) : std::nullopt;
 }
 
@@ -124,21 +174,21 @@ bool tolerates(const PlanRequirements& requirements, const PlanCandidate& candid
            (!requirements.budget_mib || candidate.cost.mebibytes <= *requirements.budget_mib);
 }
 
-CostParts cost_of(const PlanRequirements& requirements, const MeasuredCost& measured) {
+CostParts cost_of(const PlanRequirements& requirements, const MeasuredCost& measured, AirBefore air) {
     const double views = requirements.views, suns = requirements.suns;
     const double pixels = double(requirements.width) * requirements.height / measured_pixels;
     const auto [composite, tables] = requirements.speed;
     CostParts parts;
-    parts.aerial_perspective_ms = requirements.geometry ? views * suns * tables * measured.aerial_perspective_ms : 0;
+    const bool drawn = air == AirBefore::drawn;
+    parts.aerial_perspective_ms = drawn ? views * suns * tables * measured.aerial_perspective_ms : 0;
     parts.light_ms = requirements.light ? views * suns * tables * measured.light_ms : 0;
     if (requirements.shadows)  // of one sun
         parts.shadows_ms = views * (tables * measured.shadows_ms + composite * pixels * measured.composite_shadows_ms);
-    const double shown = (requirements.geometry ? measured.composite_geometry_ms : measured.composite_ms) +
-                         (suns - 1) * measured.composite_sun_ms;
+    const double shown = shown_ms(measured, air) + (suns - 1) * measured.composite_sun_ms;
     parts.cost.frame_ms = views * (composite * pixels * shown + suns * tables * measured.view_ms) +
                           parts.aerial_perspective_ms + parts.light_ms + parts.shadows_ms;
     parts.cost.rebuild_ms = tables * measured.rebuild_ms;
-    const double aerial_mib = requirements.geometry ? measured.aerial_perspective_mib : 0;
+    const double aerial_mib = drawn ? measured.aerial_perspective_mib : 0;
     parts.cost.mebibytes = measured.air_mib + views * suns * (measured.view_mib + aerial_mib);
     if (requirements.shadows) parts.cost.mebibytes += views * measured.shadows_mib;
     parts.cost.charged_ms = parts.cost.frame_ms + requirements.rebuilds_per_frame * parts.cost.rebuild_ms;
@@ -149,7 +199,7 @@ namespace {
 
 /// Costs alone; the air is the same everywhere.
 PlanCandidate candidate_of(const PlanRequirements& requirements, const MeasuredSetting& measured, const Predictor& predictor,
-                           const Situation& place) {
+                           const Situation& place, AirBefore air) {
     PlanCandidate candidate;
     candidate.setting = measured.setting;
     const std::optional<Prepared> prepared = prepare(measured.setting, requirements.air);
@@ -157,19 +207,45 @@ PlanCandidate candidate_of(const PlanRequirements& requirements, const MeasuredS
     if (!candidate.excluded.empty()) return candidate;
     const auto cost = predictor.cost(measured, place, table_work(*prepared->model, prepared->air));
     if (cost)
-        candidate.cost = cost_of(requirements, *cost).cost;
+        candidate.cost = cost_of(requirements, *cost, air).cost;
     else
         candidate.excluded = "was not measured";
     return candidate;
 }
 
+/// What one setting errs by so far, in all the places that have been looked at: none where one of them is not known.
+struct Errors {
+    std::optional<PlanError> beside = PlanError();  // sky and light
+    std::optional<PredictedError> through = PredictedError();
+
+    void look(const PlanRequirements& requirements, const MeasuredSetting& setting, Predictor::Here& here) {
+        if (!beside) return;
+        beside = worse_beside_geometry(requirements, setting, here, *beside);
+        if (!requirements.geometry || !through) return;
+        const auto found = through_air(requirements, setting, here);
+        if (found)
+            through = {std::max(through->likely, found->likely), std::max(through->bound, found->bound)};
+        else
+            through.reset();
+    }
+    [[nodiscard]] std::optional<PlanError> with_air(AirBefore air, const std::optional<PredictedError>& bare) const {
+        if (!beside || air == AirBefore::nothing) return beside;
+        const std::optional<PredictedError>& geometry = air == AirBefore::drawn ? through : bare;
+        return geometry ? std::optional(with(*beside, *geometry)) : std::nullopt;
+    }
+};
+
 }  // namespace
 
-Outlook outlook(const PlanRequirements& requirements, const Predictor& predictor, const std::vector<Situation>& places) {
+Outlook outlook(const PlanRequirements& requirements, const Predictor& predictor, const std::vector<Situation>& places,
+                bool keep_air) {
     const std::vector<MeasuredSetting>& settings = predictor.skies().settings;
     Outlook result;
+    if (requirements.geometry) result.bare = worst_bare(requirements, predictor, places);
+    result.air = choose_air(requirements, result.bare, keep_air);
     for (const MeasuredSetting& setting : settings)
-        result.candidates.push_back(candidate_of(requirements, setting, predictor, places.front()));
+        result.candidates.push_back(candidate_of(requirements, setting, predictor, places.front(), result.air));
+    std::vector<Errors> errors(settings.size());
     const Situation* farthest = &places.front();
     for (const Situation& place : places) {
         Predictor::Here here = predictor.at(place);
@@ -177,18 +253,20 @@ Outlook outlook(const PlanRequirements& requirements, const Predictor& predictor
             result.distance = distance;
             farthest = &place;
         }
-        for (std::size_t i = 0; i < settings.size(); ++i) {
-            PlanCandidate& candidate = result.candidates[i];
-            if (!candidate.excluded.empty()) continue;
-            if (const auto error = worse(requirements, settings[i], here, candidate.error))
-                candidate.error = *error;
-            else
-                candidate = {settings[i].setting, {}, {}, false, "was not measured"};
-        }
+        for (std::size_t i = 0; i < settings.size(); ++i)
+            if (result.candidates[i].excluded.empty()) errors[i].look(requirements, settings[i], here);
     }
     result.nearest = predictor.at(*farthest).nearest(nearest_named);
-    for (PlanCandidate& candidate : result.candidates)
-        candidate.tolerable = candidate.excluded.empty() && tolerates(requirements, candidate);
+    const AirBefore other = result.air == AirBefore::drawn ? AirBefore::left_out : AirBefore::drawn;
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        PlanCandidate& candidate = result.candidates[i];
+        const auto error = errors[i].with_air(result.air, result.bare), otherwise = errors[i].with_air(other, result.bare);
+        result.bound_otherwise.push_back(otherwise ? std::optional(otherwise->bound) : std::nullopt);
+        if (candidate.excluded.empty() && !error) candidate = {settings[i].setting, {}, {}, false, "was not measured"};
+        if (!candidate.excluded.empty()) continue;
+        candidate.error = *error;
+        candidate.tolerable = tolerates(requirements, candidate);
+    }
     return result;
 }
 

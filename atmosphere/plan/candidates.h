@@ -6,6 +6,7 @@
 
 #include <aureole/plan.h>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -15,8 +16,19 @@ namespace aureole::detail {
 /// those of the other, and every measured scene. At least one; each once.
 [[nodiscard]] std::vector<Situation> situations_of(const PlanRequirements& requirements, const MeasuredSkies& skies);
 
+/// What becomes of the air before the host's geometry.
+enum class AirBefore : std::uint8_t {
+    nothing,   ///< There is no geometry.
+    drawn,     ///< Aerial perspective.
+    left_out,  ///< Geometry is shown as the host drew it.
+};
+[[nodiscard]] inline AirBefore air_asked_for(const PlanRequirements& requirements) {
+    return requirements.geometry ? AirBefore::drawn : AirBefore::nothing;
+}
+
 /// What a setting errs by in a place, by what a view shows and its materials need, if that is worse than `so_far`; none where
-/// it is not known. Errors of light are left aside above the air, where it is the sun's alone, and in tables without any.
+/// it is not known. Geometry is seen through the air. Errors of light are left aside above the air, where it is the sun's
+/// alone, and in tables without any.
 [[nodiscard]] std::optional<PlanError> worse(const PlanRequirements& requirements, const MeasuredSetting& setting,
                                              Predictor::Here& here, const PlanError& so_far);
 /// What was measured of a setting in a scene of all that its bound is of: the worst; none where a part of it is not known.
@@ -30,10 +42,22 @@ struct Outlook {
     std::vector<PlanCandidate> candidates;  ///< In the order of MeasuredSkies::settings.
     double distance = 0;                    ///< Of that place.
     std::vector<std::size_t> nearest;       ///< Scenes, to that place.
+    AirBefore air = AirBefore::nothing;     ///< That the candidates are for.
+    /// What geometry without the air before it errs by, in the worst of the places; none where that is not known.
+    std::optional<PredictedError> bare;
+    /// Where there is geometry: the bound of each candidate if the air before it were left out where it is drawn, and drawn
+    /// where it is left out; none where that is not known.
+    std::vector<std::optional<double>> bound_otherwise;
 };
-/// At least one place.
+/// At least one place. The air before geometry is left out where all that it changes is within the tolerance, unless shadows
+/// are to be seen in it, or `keep_air`.
 [[nodiscard]] Outlook outlook(const PlanRequirements& requirements, const Predictor& predictor,
-                              const std::vector<Situation>& places);
+                              const std::vector<Situation>& places, bool keep_air = false);
+
+/// Upper bound of what shadows in the air err by, of the light that is there without them; none where it is not known. Light
+/// that was scattered more than once is not shadowed: as if all of it had to be; and what their march errs by.
+[[nodiscard]] std::optional<double> shadows_bound(const PlanRequirements& requirements, const Predictor& predictor,
+                                                  const std::vector<Situation>& places);
 
 /// Of a frame, and of its parts that a view can do without, for one candidate.
 struct CostParts {
@@ -41,7 +65,10 @@ struct CostParts {
     /// Of all views: in cost.frame_ms where they are needed.
     double aerial_perspective_ms = 0, light_ms = 0, shadows_ms = 0;
 };
-[[nodiscard]] CostParts cost_of(const PlanRequirements& requirements, const MeasuredCost& measured);
+[[nodiscard]] CostParts cost_of(const PlanRequirements& requirements, const MeasuredCost& measured, AirBefore air);
+[[nodiscard]] inline CostParts cost_of(const PlanRequirements& requirements, const MeasuredCost& measured) {
+    return cost_of(requirements, measured, air_asked_for(requirements));
+}
 
 /// Index of the candidate that a plan takes: the cheapest that is tolerable, or (without a tolerance) the most accurate that
 /// is; of those that cost the same within a tenth, or are as accurate, the better. If none is tolerable, the most accurate

@@ -27,8 +27,9 @@ std::string other_way(const std::string& what, bool left_out) {
 
 class Reasons {
 public:
-    Reasons(const PlanRequirements& requirements, const Predictor& predictor, const Situation& place, const Plan& plan)
-        : requirements_(requirements), predictor_(predictor), place_(place), plan_(plan) {}
+    Reasons(const PlanRequirements& requirements, const Predictor& predictor, const Situation& place, const Outlook& seen,
+            const Plan& plan)
+        : requirements_(requirements), predictor_(predictor), place_(place), seen_(seen), plan_(plan) {}
 
     std::vector<PlanChoice> all() {
         add_model();
@@ -118,6 +119,7 @@ private:
     void add_passes() {
         const auto setting = std::ranges::find(predictor_.skies().settings, plan_.setting, &MeasuredSetting::setting);
         const auto measured = predictor_.cost(*setting, place_, table_work(*plan_.model, plan_.air));
+        add_air_before_geometry(setting, *measured);
         PlanRequirements whole = requirements_;
         whole.geometry = whole.light = whole.shadows = true;
         const CostParts parts = cost_of(whole, *measured);
@@ -129,24 +131,61 @@ private:
                  {},
                  kept ? -ms : ms});
         };
-        add("aerial perspective", requirements_.geometry, parts.aerial_perspective_ms, "geometry is seen through the air",
-            "no geometry");
         add("light", requirements_.light, parts.light_ms, "the host's materials need it", "no material needs it");
-        if (plan_.model->has_shadows())
-            add("shadows", requirements_.shadows, parts.shadows_ms,
-                "the host's shadow map darkens the air (of one sun, of the default size)", "no shadow map");
+        if (!plan_.model->has_shadows()) return;
+        add("shadows", requirements_.shadows, parts.shadows_ms,
+            "the host's shadow map darkens the air (of one sun, of the default size)", "no shadow map");
+        if (requirements_.shadows) choices_.back().reason += shadows_error();
     }
+
+    [[nodiscard]] std::string shadows_error() const {
+        if (!plan_.shadows_bound) return "; what they err by is not known";
+        return "; away from their edges they err by at most " + percent(*plan_.shadows_bound) +
+               " of the unshadowed light, which no tolerance judges: light scattered more than once is not shadowed";
+    }
+
+    using Settings = std::vector<MeasuredSetting>;
+    void add_air_before_geometry(Settings::const_iterator setting, const MeasuredCost& measured) {
+        PlanRequirements with_geometry = requirements_;
+        with_geometry.geometry = true;
+        const bool geometry = requirements_.geometry, kept = seen_.air == AirBefore::drawn;
+        const CostParts drawn = cost_of(with_geometry, measured, AirBefore::drawn);
+        const CostParts bare = cost_of(with_geometry, measured, AirBefore::left_out);
+        const double saved = geometry ? drawn.cost.frame_ms - bare.cost.frame_ms : drawn.aerial_perspective_ms;
+        PlanChoice choice{"aerial perspective", kept ? "recorded" : "left out", {}, {}, kept ? -saved : saved};
+        choice.reason = !geometry ? "no geometry: saves " + milliseconds(saved)
+                        : kept
+                            ? why_air_is_drawn() + ": " + milliseconds(saved)
+                            : "without it geometry up to " + reach() + " away is off by " + off() +
+                                  ", within the tolerance of " + percent(*requirements_.tolerance) + ": saves " +
+                                  milliseconds(saved) + " and " + with_unit(drawn.cost.mebibytes - bare.cost.mebibytes, "MiB");
+        const std::size_t index = static_cast<std::size_t>(setting - predictor_.skies().settings.begin());
+        if (const auto& otherwise = seen_.bound_otherwise[index]; geometry && otherwise)
+            choice.error_otherwise = *otherwise - plan_.error.bound;
+        choices_.push_back(std::move(choice));
+    }
+    [[nodiscard]] std::string why_air_is_drawn() const {
+        const std::string seen = "geometry is seen through the air";
+        if (!seen_.bare) return seen + "; what it would err by without was not measured";
+        const std::string without = seen + "; without it geometry up to " + reach() + " away would be off by " + off();
+        if (!requirements_.tolerance) return without;
+        if (seen_.bare->bound > *requirements_.tolerance) return without + ", more than " + percent(*requirements_.tolerance);
+        return requirements_.shadows ? without + ", but shadows are seen in it" : without + ", but it is in use";
+    }
+    [[nodiscard]] std::string reach() const { return with_figures(requirements_.geometry_range_m / 1000, 3, "km"); }
+    /// "1.2 %, below 1.5 %"
+    [[nodiscard]] std::string off() const { return percent(seen_.bare->likely) + ", below " + percent(seen_.bare->bound); }
 
     void add_tables() {
         for (const ModelTable& table : plan_.model->tables_for(plan_.air)) {
             const bool froxels = table.name == "froxels";
-            if (froxels && !requirements_.geometry) continue;
+            if (froxels && seen_.air != AirBefore::drawn) continue;
             const rhi::Extent& e = table.size;
             const std::string size =
                 std::to_string(e.width) + "x" + std::to_string(e.height) + (e.depth > 1 ? "x" + std::to_string(e.depth) : "");
-            const std::string reach = froxels ? ", to " + with_figures(requirements_.geometry_range_m / 1000, 3, "km") : "";
+            const std::string to = froxels ? ", to " + reach() : "";
             choices_.push_back({table.name,
-                                size + " " + std::string(rhi::to_string(table.format)) + ", " + table.samples + reach,
+                                size + " " + std::string(rhi::to_string(table.format)) + ", " + table.samples + to,
                                 "of " + plan_.setting.id() + why(table),
                                 {},
                                 {}});
@@ -163,6 +202,7 @@ private:
     const PlanRequirements& requirements_;
     const Predictor& predictor_;
     const Situation& place_;
+    const Outlook& seen_;
     const Plan& plan_;
     std::vector<PlanChoice> choices_;
 };
@@ -175,8 +215,8 @@ std::string milliseconds(double ms) { return with_figures(ms, 3, "ms"); }
 std::string times(double factor) { return with_figures(factor, 2, "times"); }
 
 std::vector<PlanChoice> choices_of(const PlanRequirements& requirements, const Predictor& predictor, const Situation& place,
-                                   const Plan& plan) {
-    return Reasons(requirements, predictor, place, plan).all();
+                                   const Outlook& seen, const Plan& plan) {
+    return Reasons(requirements, predictor, place, seen, plan).all();
 }
 
 }  // namespace aureole::detail

@@ -8,9 +8,10 @@
 
 namespace aureole::detail {
 
-/// Of a plan whose setting, air, model, view, figures and candidates are known. `place`: any in its air.
+/// Of a plan whose setting, air, model, view, figures and candidates are known. `place`: any in its air; `seen`: what its
+/// candidates are from.
 [[nodiscard]] std::vector<PlanChoice> choices_of(const PlanRequirements& requirements, const Predictor& predictor,
-                                                 const Situation& place, const Plan& plan);
+                                                 const Situation& place, const Outlook& seen, const Plan& plan);
 
 /// "1.27 MiB": three figures.
 [[nodiscard]] std::string with_unit(double value, const char* unit);

@@ -23,9 +23,11 @@ struct MeasuredError {
     double spread = 0;  ///< Of the logarithm: root of the variance that Kriging's variances are shares of.
     std::vector<std::int16_t> by_scene;
 
-    /// As it was measured; none where it was not.
+    /// Tables from before an error was measured have no scenes of it.
+    [[nodiscard]] bool is_known(std::size_t scene) const { return scene < by_scene.size() && by_scene[scene] != unknown; }
+    /// As it was measured (of MeasuredSkies::bare: over its share); none where it was not.
     [[nodiscard]] std::optional<double> in(std::size_t scene) const {
-        if (by_scene[scene] == unknown) return {};
+        if (!is_known(scene)) return {};
         return std::exp(by_scene[scene] / 1000.0);
     }
     [[nodiscard]] static std::int16_t pack(double error) {
@@ -51,16 +53,35 @@ struct MeasuredCost {
     double composite_shadows_ms = 0;  ///< What they add to a composite over a host's colour and depth.
     double shadows_mib = 0;
     TableWork work{};  ///< Of the setting in this air.
+    /// Over a host's colour and depth, without the air before geometry; 0: not measured, as composite_geometry_ms.
+    double composite_bare_ms = 0;
 };
+
+/// Errors of geometry are kept by its distance: near, up to near_geometry_km, and far.
+inline constexpr double nearest_geometry_km = 1, near_geometry_km = 10, farthest_geometry_km = 100;
+/// Distances at which it is known what leaving the air before geometry out errs by.
+inline constexpr std::array bare_distances_km{0.01, 0.0316, 0.1, 0.316, 1.0, 3.16, 10.0, 31.6};
 
 struct MeasuredSetting {
     Setting setting;
     MeasuredError sky_median, sky_p95, aerial_p95;
     MeasuredError light;  ///< For a host's materials: of the sky's illuminance or of the sun's colour, whichever errs more.
     std::vector<MeasuredCost> by_air;
+    /// Of aerial_p95 the near and the far geometry; tables from before they were told apart have neither.
+    MeasuredError aerial_near_p95{}, aerial_far_p95{};
 };
-inline constexpr std::array measured_errors{&MeasuredSetting::sky_median, &MeasuredSetting::sky_p95,
-                                            &MeasuredSetting::aerial_p95, &MeasuredSetting::light};
+inline constexpr std::array measured_errors{&MeasuredSetting::sky_median,     &MeasuredSetting::sky_p95,
+                                            &MeasuredSetting::aerial_p95,     &MeasuredSetting::aerial_near_p95,
+                                            &MeasuredSetting::aerial_far_p95, &MeasuredSetting::light};
+
+/// What leaving the air before geometry out errs by goes with it: in air of so much extinction the share of light that does
+/// not come through. (What is left is how bright the air is beside geometry, which differs less from air to air.)
+[[nodiscard]] inline double bare_share(double extinction_per_m, double distance_km) {
+    return -std::expm1(-1000 * extinction_per_m * distance_km);
+}
+
+/// Errors of geometry up to this far away, in a view with aerial perspective: the worst of them counts. The others are null.
+[[nodiscard]] std::array<const MeasuredError*, 2> errors_of_geometry(const MeasuredSetting& setting, double range_m);
 
 struct MeasuredScene {
     std::string id;
@@ -76,6 +97,9 @@ struct MeasuredSkies {
     std::vector<std::string> airs;
     std::vector<MeasuredScene> scenes;
     std::vector<MeasuredSetting> settings;
+    /// Of geometry that is shown as the host drew it, at each of bare_distances_km: 95th percentiles, the same of all settings,
+    /// over bare_share there.
+    std::array<MeasuredError, bare_distances_km.size()> bare{};
 };
 
 /// The figures that come with the library: of scenes in red, green and blue, and of scenes in wavelengths.

@@ -29,11 +29,11 @@ const Predictor& predictor_for(const PlanRequirements& requirements) {
 }
 
 /// What the view makes is what is needed.
-ViewSettings view_for(const PlanRequirements& requirements) {
+ViewSettings view_for(const PlanRequirements& requirements, AirBefore air) {
     ViewSettings view;
     view.projection = requirements.projection;
     view.max_suns = requirements.suns;
-    view.aerial_perspective = requirements.geometry;
+    view.aerial_perspective = air == AirBefore::drawn;
     view.aerial_perspective_distance_m = requirements.geometry_range_m;
     view.light = requirements.light;
     return view;
@@ -75,13 +75,13 @@ namespace {
 /// Which of the candidates is taken, given the one that plan() takes.
 using Take = std::function<const PlanCandidate&(const std::vector<PlanCandidate>&, const PlanCandidate& best)>;
 
-Plan make_plan(const PlanRequirements& requirements, const Take& take) {
+Plan make_plan(const PlanRequirements& requirements, const Take& take, bool keep_air) {
     validate(requirements);
     const Predictor& predictor = predictor_for(requirements);
     const std::vector<Situation> places = situations_of(requirements, predictor.skies());
-    Outlook seen = outlook(requirements, predictor, places);
+    Outlook seen = outlook(requirements, predictor, places, keep_air);
     Plan plan;
-    plan.candidates = by_cost(std::move(seen.candidates));
+    plan.candidates = by_cost(seen.candidates);
     if (plan.candidates.empty() || !plan.candidates.front().excluded.empty())
         throw Error(ErrorCode::unsupported, requirements.wavelengths ? "wavelengths" : "air",
                     requirements.wavelengths ? "true" : "of these terms",
@@ -95,13 +95,14 @@ Plan make_plan(const PlanRequirements& requirements, const Take& take) {
     Prepared prepared = prepare(taken.setting, requirements.air).value();
     plan.air = std::move(prepared.air);
     plan.model = std::move(prepared.model);
-    plan.view = view_for(requirements);
+    plan.view = view_for(requirements, seen.air);
+    if (requirements.shadows) plan.shadows_bound = shadows_bound(requirements, predictor, places);
     for (const std::size_t scene : seen.nearest) plan.nearest.push_back(predictor.skies().scenes[scene].id);
     plan.distance = seen.distance;
     plan.measured_on = predictor.skies().device;
     plan.speed = requirements.speed;
     plan.warnings = warnings_of(requirements, plan);
-    plan.choices = choices_of(requirements, predictor, places.front(), plan);
+    plan.choices = choices_of(requirements, predictor, places.front(), seen, plan);
     if (!(taken.setting == best.setting))
         plan.choices.front().reason = "in use, and good enough; " + best.setting.id() + " would take " +
                                       milliseconds(best.cost.charged_ms) + " in place of " +
@@ -119,26 +120,29 @@ const PlanCandidate& find(const std::vector<PlanCandidate>& candidates, const Se
 }  // namespace
 
 Plan plan(const PlanRequirements& requirements) {
-    return make_plan(requirements, [](const auto&, const PlanCandidate& best) -> const PlanCandidate& { return best; });
+    const Take take_best = [](const auto&, const PlanCandidate& best) -> const PlanCandidate& { return best; };
+    return make_plan(requirements, take_best, false);
 }
 
 namespace detail {
 
-Plan plan_keeping(const PlanRequirements& requirements, const Setting& incumbent) {
-    return make_plan(requirements, [&](const auto& candidates, const PlanCandidate& best) -> const PlanCandidate& {
+Plan plan_keeping(const PlanRequirements& requirements, const Setting& incumbent, bool keep_air) {
+    const Take take = [&](const auto& candidates, const PlanCandidate& best) -> const PlanCandidate& {
         constexpr double worth = 1.1;  // what is better by less is not worth a change
         const PlanCandidate& there = find(candidates, incumbent, best);
         const bool as_cheap = there.cost.charged_ms <= worth * best.cost.charged_ms;
         const bool by_error = !requirements.tolerance || !best.tolerable;
         const bool as_right = !by_error || there.error.bound <= worth * best.error.bound;
         return there.tolerable == best.tolerable && as_cheap && as_right ? there : best;
-    });
+    };
+    return make_plan(requirements, take, keep_air);
 }
 
-Plan plan_of(const PlanRequirements& requirements, const Setting& setting) {
-    return make_plan(requirements, [&](const auto& candidates, const PlanCandidate& best) -> const PlanCandidate& {
+Plan plan_of(const PlanRequirements& requirements, const Setting& setting, bool keep_air) {
+    const Take take = [&](const auto& candidates, const PlanCandidate& best) -> const PlanCandidate& {
         return find(candidates, setting, best);
-    });
+    };
+    return make_plan(requirements, take, keep_air);
 }
 
 }  // namespace detail

@@ -17,7 +17,7 @@ struct CostOfWork {
 
     [[nodiscard]] double work_in(const TableWork& all) const { return work != nullptr ? all.*work : 1; }
 };
-constexpr std::array<CostOfWork, 13> costs{{{&MeasuredCost::composite_ms, &TableWork::composite},
+constexpr std::array<CostOfWork, 14> costs{{{&MeasuredCost::composite_ms, &TableWork::composite},
                                             {&MeasuredCost::composite_geometry_ms, &TableWork::composite},
                                             {&MeasuredCost::view_ms, &TableWork::view},
                                             {&MeasuredCost::aerial_perspective_ms, &TableWork::view},
@@ -29,7 +29,8 @@ constexpr std::array<CostOfWork, 13> costs{{{&MeasuredCost::composite_ms, &Table
                                             {&MeasuredCost::composite_sun_ms, &TableWork::composite},
                                             {&MeasuredCost::shadows_ms},
                                             {&MeasuredCost::composite_shadows_ms},
-                                            {&MeasuredCost::shadows_mib, &TableWork::view_memory}}};
+                                            {&MeasuredCost::shadows_mib, &TableWork::view_memory},
+                                            {&MeasuredCost::composite_bare_ms, &TableWork::composite}}};
 constexpr double least_cost = 1e-12;  // by work, of what takes no time at all
 
 /// The air alone.
@@ -43,6 +44,19 @@ double distance_between(const Situation& a, const Situation& b) {
     double square = 0;
     for (std::size_t i = 0; i < a.size(); ++i) square += (a[i] - b[i]) * (a[i] - b[i]);
     return std::sqrt(square);
+}
+
+/// Of errors that are known at bare_distances_km, that of all that is no farther than `km`. `evenly`: air is nowhere denser
+/// than at the camera, so that errors grow ever more slowly with distance.
+double up_to(double km, bool evenly, const std::array<PredictedError, bare_distances_km.size()>& at,
+             double PredictedError::*which) {
+    const auto farther = static_cast<std::size_t>(std::ranges::upper_bound(bare_distances_km, km) - bare_distances_km.begin());
+    double nearer = 0;
+    for (std::size_t i = 0; i < farther; ++i) nearer = std::max(nearer, at[i].*which);
+    if (!evenly) return std::max(nearer, at[farther].*which);
+    const std::size_t known = farther == 0 ? 0 : farther - 1;
+    const double in_proportion = at[known].*which * km / bare_distances_km[known];
+    return std::max(nearer, farther < at.size() ? std::min(in_proportion, at[farther].*which) : in_proportion);
 }
 
 }  // namespace
@@ -65,6 +79,7 @@ Predictor::Predictor(const MeasuredSkies& skies, std::vector<std::size_t> scenes
         knows_light_ |= errors_.contains(&setting.light);
         learn(index, setting);
     }
+    for (const MeasuredError& error : skies.bare) learn(index, error);
 }
 
 std::size_t Predictor::family_of(Index& index, std::vector<std::size_t> points, bool airs) {
@@ -80,7 +95,7 @@ void Predictor::learn(Index& index, const MeasuredError& error) {
     std::vector<std::size_t> points;
     Known known;
     for (const std::size_t i : scenes_) {
-        if (error.by_scene[i] == MeasuredError::unknown) continue;
+        if (!error.is_known(i)) continue;
         points.push_back(i);
         known.logarithms.push_back(error.by_scene[i] / 1000.0);
     }
@@ -108,6 +123,21 @@ std::optional<PredictedError> Predictor::Here::predict(const MeasuredError& erro
     const double logarithm = dot(weighed.of_points, known->second.logarithms);
     return PredictedError{std::exp(logarithm),
                           std::exp(logarithm + from_.skies_.margin * error.spread * std::sqrt(weighed.variance))};
+}
+
+std::optional<PredictedError> Predictor::Here::bare(double range_m, double densest) {
+    constexpr double low = 0.1;  // scale heights: from there no ray finds much denser air before it meets the ground
+    const bool evenly = place_[axis_of_altitude] < low;
+    const double km = range_m / 1000;
+    if (above_air() || (!evenly && km >= bare_distances_km.back())) return {};
+    std::array<PredictedError, bare_distances_km.size()> at;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const auto known = predict(from_.skies_.bare[i]);
+        if (!known) return {};
+        const double share = bare_share(extinction_per_m(densest, place_), bare_distances_km[i]);
+        at[i] = {share * known->likely, share * known->bound};
+    }
+    return PredictedError{up_to(km, evenly, at, &PredictedError::likely), up_to(km, evenly, at, &PredictedError::bound)};
 }
 
 double Predictor::Here::distance() {
@@ -138,11 +168,13 @@ std::optional<MeasuredCost> Predictor::cost(const MeasuredSetting& setting, cons
     result.work = work;
     for (const CostOfWork& one : costs) {
         double logarithm = 0;
+        bool any = false;  // of what older tables do not have, none
         for (std::size_t k = 0; k < from.points.size(); ++k) {
             const MeasuredCost& known_here = setting.by_air[from.points[k]];
+            any |= known_here.*one.cost > 0;
             logarithm += weights.of_points[k] * std::log(known_here.*one.cost / one.work_in(known_here.work) + least_cost);
         }
-        result.*one.cost = std::max(std::exp(logarithm) - least_cost, 0.0) * one.work_in(work);
+        result.*one.cost = any ? std::max(std::exp(logarithm) - least_cost, 0.0) * one.work_in(work) : 0;
     }
     return result;
 }

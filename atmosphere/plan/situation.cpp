@@ -23,6 +23,11 @@ double scale_height(const AtmosphereParameters& parameters, double thickness_m) 
 
 }  // namespace
 
+double densest_extinction_per_m(const AtmosphereParameters& parameters) {
+    const double thickness_m = parameters.planet.top_radius_m - parameters.planet.bottom_radius_m;
+    return mean(vertical_optical_depth(parameters)) / scale_height(parameters, thickness_m);
+}
+
 AirCoordinates::AirCoordinates(const AtmosphereParameters& parameters)
     : thickness_m_(parameters.planet.top_radius_m - parameters.planet.bottom_radius_m),
       radius_m_(parameters.planet.bottom_radius_m) {

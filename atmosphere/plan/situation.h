@@ -4,6 +4,7 @@
 #include <aureole/parameters.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 
@@ -24,6 +25,12 @@ inline constexpr std::array<std::string_view, 10> situation_axes{
 };
 using Situation = std::array<double, situation_axes.size()>;
 inline constexpr std::size_t axis_of_sun = 0, axis_of_altitude = 1, axis_of_space = 2;  // the others are the air's
+
+/// Extinction per metre, the mean of the colours, where the air is densest and at a place: as if it were exponential.
+[[nodiscard]] double densest_extinction_per_m(const AtmosphereParameters& parameters);
+[[nodiscard]] inline double extinction_per_m(double densest, const Situation& place) {
+    return densest * std::exp(-place[axis_of_altitude]);
+}
 
 /// What is the same wherever one stands in an air; made once an air.
 class AirCoordinates {

@@ -12,13 +12,20 @@
 
 namespace aureole::detail {
 
+/// Where the air before geometry is left out, no setting is judged by it.
+inline PlanRequirements judged_by(PlanRequirements needs, AirBefore air) {
+    needs.geometry = air == AirBefore::drawn;
+    return needs;
+}
+
 /// Of the settings that were measured in this scene, within so much of the tolerance. Costs as measured in its air; as foretold
 /// for it where they were not.
-inline double cheapest_that_meets(const PlanRequirements& needs, const Predictor& predictor, std::size_t scene, double share) {
+inline double cheapest_that_meets(const PlanRequirements& needs, const Predictor& predictor, std::size_t scene, double share,
+                                  AirBefore air) {
     double cheapest = std::numeric_limits<double>::infinity();
     const MeasuredSkies& skies = predictor.skies();
     for (const MeasuredSetting& setting : skies.settings) {
-        const std::optional<double> worst = measured_worst(needs, setting, scene);
+        const std::optional<double> worst = measured_worst(judged_by(needs, air), setting, scene);
         if (!worst || *worst > share * *needs.tolerance) continue;
         MeasuredCost cost = setting.by_air[skies.scenes[scene].air];
         if (cost.air_mib == 0) {
@@ -28,7 +35,7 @@ inline double cheapest_that_meets(const PlanRequirements& needs, const Predictor
             if (!foretold) continue;  // no plan takes it
             cost = *foretold;
         }
-        cheapest = std::min(cheapest, cost_of(needs, cost).cost.charged_ms);
+        cheapest = std::min(cheapest, cost_of(needs, cost, air).cost.charged_ms);
     }
     return cheapest;
 }
@@ -50,8 +57,9 @@ inline Planned check_plans_of(PlanRequirements needs, const Predictor& predictor
         INFO(at.id, " at ", tolerance, needs.geometry ? " with geometry" : "", needs.light ? " and light" : "", ": ",
              found.setting.id());
         CHECK(found.distance < 0.01);
+        const AirBefore air = needs.geometry && !found.view.aerial_perspective ? AirBefore::left_out : air_asked_for(needs);
         // Errors are kept in thousandths of their logarithm: what is right on the tolerance may fall on either side.
-        const double cheapest = cheapest_that_meets(needs, predictor, scene, 0.99);
+        const double cheapest = cheapest_that_meets(needs, predictor, scene, 0.99, air);
         if (std::isfinite(cheapest)) CHECK(found.tolerable);
         ++(found.tolerable ? count.planned : count.refused);
         if (!found.tolerable) continue;
@@ -59,8 +67,8 @@ inline Planned check_plans_of(PlanRequirements needs, const Predictor& predictor
         CHECK(found.cost.charged_ms <= 1.15 * cheapest);
         // Unless it takes one that was measured elsewhere, and is foretold to be good enough here.
         const auto chosen = std::ranges::find(predictor.skies().settings, found.setting, &MeasuredSetting::setting);
-        if (measured_worst(needs, *chosen, scene))
-            CHECK(found.cost.charged_ms >= 0.999 * cheapest_that_meets(needs, predictor, scene, 1.01));
+        if (measured_worst(judged_by(needs, air), *chosen, scene))
+            CHECK(found.cost.charged_ms >= 0.999 * cheapest_that_meets(needs, predictor, scene, 1.01, air));
     }
     return count;
 }

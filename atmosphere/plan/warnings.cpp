@@ -6,7 +6,7 @@
 namespace aureole::detail {
 namespace {
 
-constexpr double nearest_geometry_m = 1e3, farthest_geometry_m = 1e5;  // that errors were measured of
+constexpr double nearest_geometry_m = 1000 * nearest_geometry_km, farthest_geometry_m = 1000 * farthest_geometry_km;
 
 }  // namespace
 
@@ -14,7 +14,7 @@ std::vector<std::string> warnings_of(const PlanRequirements& requirements, const
     std::vector<std::string> warnings;
     if (plan.distance > 1) warnings.emplace_back("FAR from all scenes that were measured: the bound need not hold");
     const double range = requirements.geometry_range_m;
-    if (requirements.geometry && (range < nearest_geometry_m || range > farthest_geometry_m))
+    if (plan.view.aerial_perspective && (range < nearest_geometry_m || range > farthest_geometry_m))
         warnings.push_back("geometry up to " + with_unit(range / 1000, "km") +
                            " away is FAR from what was measured, 1 to 100 km: the bound need not hold of it");
     if (requirements.budget_ms && requirements.speed == DeviceSpeed{})

@@ -106,22 +106,30 @@ struct PlannedSky::Impl {
         result.plan = plan_for(place, stays);
         result.update.planned = true;
         if (stays != nullptr) result.update.changes = differences(stays->plan, result.plan);
-        if (stays == nullptr || !(result.plan.setting == stays->plan.setting))
+        if (stays == nullptr || !drawn_alike(result.plan, stays->plan))
             result.sky = std::make_unique<Sky>(device, result.plan, composite, follow.shadows, frame);
         return result;
     }
 
+    [[nodiscard]] static bool drawn_alike(const Plan& a, const Plan& b) {
+        return a.setting == b.setting && a.view.aerial_perspective == b.view.aerial_perspective;
+    }
+
     /// Twice as wide as it is left: it holds while the next one is made ready. What there is stays while it is good enough, and
     /// as cheap within a tenth. Something cheaper must hold four margins around, so that what wobbles about a boundary by
-    /// two does not go to and fro.
+    /// two does not go to and fro: another setting, and geometry without the air before it.
     [[nodiscard]] Plan plan_for(const Place& place, const Sky* stays) const {
         const PlanRequirements part = around(needs, place, 2 * follow.margin);
         if (stays == nullptr) return aureole::plan(part);
         const Setting& incumbent = stays->plan.setting;
         Plan found = plan_keeping(part, incumbent);
-        if (found.setting == incumbent || !meets(found, incumbent)) return found;
+        const bool drops_air = stays->plan.view.aerial_perspective && !found.view.aerial_perspective;
+        if (!drops_air && (found.setting == incumbent || !meets(found, incumbent))) return found;
         const Plan wider = aureole::plan(around(needs, place, 4 * follow.margin));
-        return meets(wider, found.setting) ? found : plan_of(part, incumbent);
+        const bool keep_air = drops_air && wider.view.aerial_perspective;
+        if (keep_air) found = plan_keeping(part, incumbent, true);
+        if (found.setting == incumbent || !meets(found, incumbent)) return found;
+        return meets(wider, found.setting) ? found : plan_of(part, incumbent, keep_air);
     }
     [[nodiscard]] static bool meets(const Plan& plan, const Setting& setting) {
         const auto found = std::ranges::find(plan.candidates, setting, &PlanCandidate::setting);

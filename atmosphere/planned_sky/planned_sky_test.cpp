@@ -273,3 +273,56 @@ TEST_CASE("planned sky: other air is planned for, and shown") {
     const CompositeSettings composite{.target_format = rhi::Format::rgba32_float, .exposure = 10};
     CHECK(shown.show() == alone(*backend, shown.sky.plan(), composite, 40));
 }
+
+namespace {
+
+/// Geometry that is so near that by day the air before it can be left out, and not at dusk.
+PlanRequirements with_near_geometry() {
+    for (const double tolerance : {0.05, 0.1, 0.2, 0.5})
+        for (double range_m = 1; range_m < 1e5; range_m *= 1.5) {
+            PlanRequirements needs = day_and_dusk(tolerance);
+            needs.geometry = true;
+            needs.geometry_range_m = range_m;
+            const auto drawn_at = [&](double sun_deg, double around) {
+                needs.sun_elevation_deg = {sun_deg - around, sun_deg + around};
+                return plan(needs).view.aerial_perspective;
+            };
+            const bool by_day = drawn_at(50, 15), at_dusk = drawn_at(1, 0);
+            needs.sun_elevation_deg = {-6, 70};
+            if (!by_day && at_dusk) return needs;
+        }
+    FAIL("at every hour it is the same");
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("planned sky: the air before near geometry comes where the hour calls for it, and goes again") {
+    const auto backend = open_cpu_float();
+    Shown shown(*backend, with_near_geometry(), {.target_format = rhi::Format::rgba32_float},
+                {.margin = 0.1, .fade_frames = 2});
+    shown.sky.prepare_composite(shown.targets);
+    const auto go_to = [&](double sun_deg) {
+        const PlanUpdate update = shown.update(sun_deg);
+        for (int frame = 0; frame < 4; ++frame) {
+            (void)shown.show();
+            (void)shown.update(sun_deg);
+        }
+        return update;
+    };
+    // A sky that is made bit by bit keeps a little more; froxels are the larger part.
+    const auto unlike = [&](const Plan& plan, bool aerial_perspective) {
+        ViewSettings settings = plan.view;
+        settings.aerial_perspective = aerial_perspective;
+        Atmosphere air(backend->device(), plan.air, plan.model);
+        const View view(air, settings, {.target_format = rhi::Format::rgba32_float});
+        return std::abs(double(shown.sky.table_bytes()) - double(air.table_bytes() + view.table_bytes()));
+    };
+    for (const auto& [sun_deg, drawn] : {std::pair{50.0, false}, {1.0, true}, {50.0, false}}) {
+        CAPTURE(sun_deg);
+        const PlanUpdate update = go_to(sun_deg);
+        CHECK(update.planned);
+        CHECK(shown.sky.plan().view.aerial_perspective == drawn);
+        CHECK(unlike(shown.sky.plan(), drawn) < unlike(shown.sky.plan(), !drawn));  // the view is the plan's
+    }
+}

@@ -28,11 +28,13 @@ void print_coverage(const char* name, const detail::MeasuredSkies& skies, std::u
     std::printf(
         "%s: %zu scenes, %zu settings; fitted without %zu scenes (seed %u), of %zu errors there %.1f %% are at or below "
         "their bound (of sky %.1f %%, of geometry %.1f %%, of light %.1f %%); bound / measured %.2f (%.2f, %.2f, %.2f), "
-        "|likely / measured| off by %.0f %% (medians); of %zu choices %.1f %% keep their tolerance\n",
+        "|likely / measured| off by %.0f %% (medians); of %zu choices %.1f %% keep their tolerance; of %zu errors of geometry "
+        "without the air before it %.1f %% are below their bound, bound / measured %.2f\n",
         name, skies.scenes.size(), skies.settings.size(), held_out.size(), seed, found.radiance.predictions,
         100 * found.radiance.below_bound, 100 * found.sky.below_bound, 100 * found.geometry.below_bound,
         100 * found.light.below_bound, found.radiance.median_excess, found.sky.median_excess, found.geometry.median_excess,
-        found.light.median_excess, 100 * (std::exp(found.radiance.median_off) - 1), found.choices, 100 * found.choices_kept);
+        found.light.median_excess, 100 * (std::exp(found.radiance.median_off) - 1), found.choices, 100 * found.choices_kept,
+        found.bare.predictions, 100 * found.bare.below_bound, found.bare.median_excess);
 }
 
 /// "frame 1 of 44 (worst: aureole low +35 %)"
@@ -58,6 +60,8 @@ void print_airs_left_out(const char* name, const detail::MeasuredSkies& skies) {
         std::printf("%s: fitted without %s (distance %.2f), of %zu errors there %.1f %% are at or below their bound", name,
                     one.air.c_str(), one.errors.distance, one.errors.radiance.predictions,
                     100 * one.errors.radiance.below_bound);
+        if (one.errors.bare.predictions > 0)
+            std::printf(", of geometry without air before it %.1f %%", 100 * one.errors.bare.below_bound);
         if (one.costs.empty())
             std::printf("; no costs\n");
         else

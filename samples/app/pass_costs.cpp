@@ -39,16 +39,18 @@ struct Variant {
     const char* name;
     bool geometry = false, shadows = false, coarse = false;
     std::uint32_t suns = 1;
+    bool air = true;  // before geometry
 };
 constexpr Variant with_geometry{"composite_geometry", true};
 constexpr Variant with_two_suns{"composite_two_suns", false, false, true, 2},
-    with_shadows{"composite_shadows", true, true, true};
+    with_shadows{"composite_shadows", true, true, true}, without_air{"composite_bare", true, false, true, 1, false};
 
 std::vector<Variant> variants_of(const PassCostOptions& options, const Model& model) {
     std::vector<Variant> variants;
     if (options.geometry) variants.push_back(with_geometry);
     if (!options.features) return variants;
     variants.push_back(with_two_suns);
+    variants.push_back(without_air);
     if (model.has_shadows()) variants.push_back(with_shadows);
     return variants;
 }
@@ -56,6 +58,7 @@ std::vector<Variant> variants_of(const PassCostOptions& options, const Model& mo
 ViewSettings view_settings(const Variant& variant) {
     ViewSettings settings;
     settings.max_suns = variant.suns;
+    settings.aerial_perspective = variant.air;
     settings.shadows.cascades = variant.shadows ? 1 : 0;
     return settings;
 }
@@ -278,24 +281,21 @@ std::vector<PassCosts> pass_costs(Backend& backend, std::span<const CostSubject>
     const Scenes scenes(backend, options);
     std::vector<std::unique_ptr<Subject>> running;
     for (const CostSubject& subject : subjects) running.push_back(open(backend, options, scenes, subject));
-    std::vector<std::uint32_t> missing(running.size(), options.frames);
-    for (std::size_t i = 0; i < options.known.size(); ++i) {
-        for (const CostRound& round : options.known[i]) running.at(i)->keep(round);
-        missing.at(i) -= static_cast<std::uint32_t>(std::min<std::size_t>(options.known[i].size(), options.frames));
-    }
-    const std::uint32_t most = running.empty() ? 0 : std::ranges::max(missing);
-    const std::uint32_t rounds = most > 0 ? most + options.warm_up : 0;
+    for (const CostRound& round : options.known)
+        for (std::size_t i = 0; i < running.size(); ++i) running[i]->keep(round.at(i));
+    const auto known = static_cast<std::uint32_t>(std::min<std::size_t>(options.known.size(), options.frames));
+    const std::uint32_t rounds = known < options.frames ? options.frames - known + options.warm_up : 0;
     for (std::uint32_t round = 0; round < rounds; ++round) {
         // Each after another one in each round: what the one before leaves in caches hits all alike.
         const bool features = (round + options.warm_up) % 2 == 0;  // of those that count the first, the third ...
+        CostRound times(running.size());
         for (std::size_t i = 0; i < running.size(); ++i) {
             const std::size_t turn = (i + round) % running.size(), next = round % 2 == 0 ? turn : running.size() - 1 - turn;
-            if (missing[next] == 0) continue;
-            const CostRound times = running[next]->run(round, features);
-            if (round < options.warm_up) continue;
-            running[next]->keep(times);
-            --missing[next];
-            if (options.after_measured) options.after_measured(next, times);
+            times[next] = running[next]->run(round, features);
+        }
+        if (round >= options.warm_up) {
+            for (std::size_t i = 0; i < running.size(); ++i) running[i]->keep(times[i]);
+            if (options.after_measured) options.after_measured(times);
         }
         after_round();
     }

@@ -25,8 +25,8 @@ struct CostSubject {
     ModelPtr model;
 };
 
-/// What one round of a subject took: every pass, in milliseconds.
-using CostRound = std::vector<PassTime>;
+/// What one round took: of each subject every pass, in milliseconds.
+using CostRound = std::vector<std::vector<PassTime>>;
 /// Of one subject: its passes' work by name.
 using CostCounts = std::map<std::string, rhi::CpuCounts>;
 
@@ -37,18 +37,16 @@ struct PassCostOptions {
     bool raster = false;
     bool linear = false;   ///< Composite into half floats, without exposure, tone map, sRGB curve and dither.
     bool geometry = true;  ///< Also a composite with a host's colour and depth.
-    /// Also a composite with two suns, and one with geometry and shadows in the air (of models that have them): at a quarter of
-    /// the pixels, which are taken to be as dear as all, and in every other round; and the pass "shadows". None of these are
-    /// counted.
+    /// Also a composite with two suns, one with geometry and no air before it, and one with geometry and shadows in the air (of
+    /// models that have them): at a quarter of the pixels, which are taken to be as dear as all, and in every other round; and
+    /// the pass "shadows". None of these are counted.
     bool features = false;
     bool counts = true;                                   ///< Also count the passes' work, with a run on the CPU backend.
     bool composites = true;                               ///< Count composites too.
     std::uint32_t counted_width = 0, counted_height = 0;  ///< Of the composite that is counted; 0: as measured.
-    /// By subject, as many as there are, or none: rounds that an earlier run has measured; they count, and so many fewer are
-    /// run.
-    std::vector<std::vector<CostRound>> known{};
-    /// Told of each round of a subject that is run and counts, as soon as it has been.
-    std::function<void(std::size_t subject, const CostRound&)> after_measured{};
+    /// Rounds that an earlier run has measured of the same subjects: they count, and so many fewer are run.
+    std::vector<CostRound> known{};
+    std::function<void(const CostRound&)> after_measured{};  ///< Told of each round that is run and counts.
     /// The same of what has been counted: of the first subjects.
     std::vector<CostCounts> known_counts{};
     std::function<void(const CostCounts&)> after_counted{};
@@ -62,7 +60,7 @@ struct Spread {
 
 struct PassCost {
     /// As in PassReport; "composite" without and "composite_geometry" with a host's colour and depth; "composite_two_suns",
-    /// "composite_shadows".
+    /// "composite_bare" of geometry without the air before it, "composite_shadows".
     std::string name;
     Spread milliseconds;
     std::uint64_t invocations = 0;

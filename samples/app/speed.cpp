@@ -34,7 +34,8 @@ PlanCost measure_plan(Backend& backend, const PlanRequirements& requirements, co
     options.height = requirements.height;
     options.frames = rounds;
     options.geometry = requirements.geometry || requirements.shadows;
-    options.features = requirements.suns > 1 || requirements.shadows;
+    const bool bare = options.geometry && !plan.view.aerial_perspective;
+    options.features = requirements.suns > 1 || requirements.shadows || bare;
     options.counts = false;
     const PassCosts found = pass_costs(backend, {&subject, 1}, options, [] {}).at(0);
     const auto median = [&](const char* pass) { return found.pass(pass).milliseconds.median; };
@@ -48,6 +49,7 @@ PlanCost measure_plan(Backend& backend, const PlanRequirements& requirements, co
     }
     cost.composite_ms = median("composite");
     if (options.geometry) cost.composite_geometry_ms = median("composite_geometry");
+    if (bare) cost.composite_bare_ms = median("composite_bare");
     if (requirements.suns > 1) cost.composite_sun_ms = std::max(median("composite_two_suns") - cost.composite_ms, 0.0);
     if (requirements.shadows) {
         cost.shadows_ms = median("shadows");
@@ -58,7 +60,8 @@ PlanCost measure_plan(Backend& backend, const PlanRequirements& requirements, co
     as_measured.width = detail::measured_width;
     as_measured.height = detail::measured_height;
     as_measured.speed = {};
-    PlanCost measured = detail::cost_of(as_measured, cost).cost;
+    PlanCost measured =
+        detail::cost_of(as_measured, cost, bare ? detail::AirBefore::left_out : detail::air_asked_for(requirements)).cost;
     measured.mebibytes = 0;
     return measured;
 }

@@ -232,16 +232,22 @@ TraceParameters aerial_parameters() {
             {"least_cosine_of_its_sun", print_number(least_cosine)}};
 }
 
-std::vector<double> aerial_distances(const Planet& planet, const AerialView& view) {
+std::vector<AerialPixel> aerial_geometry(const Planet& planet, const AerialView& view) {
     const PixelRays rays(camera_of(planet, view), aerial_width, aerial_height);
-    std::vector<double> distances(aerial_pixels);
+    std::vector<AerialPixel> pixels(aerial_pixels);
     each_pixel(rays, [&](std::size_t pixel, const glm::dvec3& in_view) {
         const double turns = (static_cast<double>(pixel) + 0.5) / std::numbers::phi;
         const double drawn = aerial_nearest_km * std::pow(aerial_farthest_km / aerial_nearest_km, turns - std::floor(turns));
         const double mu = (rays.to_world * in_view).z;  // the camera stands on the +z axis
         const double ground = distance_to_ground(planet, view.altitude_km, mu);
-        distances[pixel] = std::max(std::min(drawn, most_of_the_way * ground), least_distance_km);
+        pixels[pixel] = {std::max(std::min(drawn, most_of_the_way * ground), least_distance_km), mu};
     });
+    return pixels;
+}
+
+std::vector<double> aerial_distances(const Planet& planet, const AerialView& view) {
+    std::vector<double> distances;
+    for (const AerialPixel& pixel : aerial_geometry(planet, view)) distances.push_back(pixel.distance_km);
     return distances;
 }
 

@@ -4,6 +4,7 @@
 #include "app/backend.h"
 #include "app/trace.h"
 #include "app/trace_checkpoint.h"
+#include "plan/measured.h"
 
 #include <aureole/atmosphere.h>
 
@@ -19,7 +20,7 @@ namespace aureole::app {
 /// Every pixel shows geometry.
 inline constexpr std::uint32_t aerial_width = 12, aerial_height = 8;
 inline constexpr std::size_t aerial_pixels = std::size_t{aerial_width} * aerial_height;
-inline constexpr double aerial_nearest_km = 1, aerial_farthest_km = 100;
+inline constexpr double aerial_nearest_km = detail::nearest_geometry_km, aerial_farthest_km = detail::farthest_geometry_km;
 
 struct AerialView {
     double sun_zenith_deg = 0;  ///< In [0, 180].
@@ -33,6 +34,11 @@ struct AerialView {
 /// aerial_farthest_km by the golden ratio and the pixel's number, but at most nine tenths of the way to the ground, and at
 /// least a metre.
 [[nodiscard]] std::vector<double> aerial_distances(const Planet& planet, const AerialView& view);
+/// The same, with the cosine of each ray's angle from the zenith at the camera.
+struct AerialPixel {
+    double distance_km = 0, mu = 0;
+};
+[[nodiscard]] std::vector<AerialPixel> aerial_geometry(const Planet& planet, const AerialView& view);
 
 /// What is the same for all views, by name: what a table of their pixels must say.
 [[nodiscard]] TraceParameters aerial_parameters();

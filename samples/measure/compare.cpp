@@ -70,20 +70,28 @@ Region region_of(const Place& place, std::size_t i) {
     return i < place.points.size() ? place.points[i].region : Region::aerial;
 }
 
+/// Index of aerial_names of one that shows geometry.
+std::size_t distance_of(const Place& place, std::size_t i) {
+    return place.pixels_km[i - place.points.size()] > detail::near_geometry_km ? 1 : 0;
+}
+
 void split(const Place& place, const Looks& looks, SceneResult& result) {
     Parts all;
     std::array<Parts, region_names.size()> regions;
+    std::array<Parts, aerial_names.size()> aerial;
     for (std::size_t i = 0; i < place.truth.size(); ++i) {
         const TrueValue& truth = place.truth[i];
         const auto error_of = [&](const Rgb& a, const Rgb& b) { return part_of_error(a, b, truth); };
         const auto parts =
             parts_of(error_of, looks.run->points[i], looks.exact->points[i], looks.converged->points[i], truth.value);
         regions[static_cast<std::size_t>(region_of(place, i))].add(parts);
-        if (i < place.points.size()) all.add(parts);
+        (i < place.points.size() ? all : aerial[distance_of(place, i)]).add(parts);
     }
     result.parts = all.summary();
     for (std::size_t i = 0; i < regions.size(); ++i)
         if (result.regions[i].rows > 0) result.region_parts[i] = regions[i].summary();
+    for (std::size_t i = 0; i < aerial.size(); ++i)
+        if (result.aerial[i].rows > 0) result.aerial_parts[i] = aerial[i].summary();
     const MeasuredLight &run = looks.run->light, &exact = looks.exact->light, &fine = looks.converged->light;
     result.sun_colour_parts = parts_of([&](const Rgb& a, const Rgb& b) { return part_of_error(a, b, place.sun); },
                                        run.sun_irradiance, exact.sun_irradiance, fine.sun_irradiance, place.sun.value);
@@ -123,6 +131,7 @@ std::vector<Place> places_of(const Suite& suite, std::size_t air, const AirTruth
                 const TrueValue value = aerial.find(aerial_row(*place.aerial, i));
                 if (distances[i] < aerial_nearest_km) continue;
                 place.pixels.push_back(i);
+                place.pixels_km.push_back(distances[i]);
                 place.truth.push_back(value);
             }
         }
@@ -174,6 +183,7 @@ SceneResult compare(const Place& place, const Looks& looks) {
     result.scene = place.scene;
     Errors all, colours;
     std::array<Errors, region_names.size()> regions;
+    std::array<Errors, aerial_names.size()> aerial;
     const std::span truth = std::span(place.truth).first(place.points.size());
     const std::span seen = std::span(looks.run->points).first(place.points.size());
     for (std::size_t i = 0; i < place.truth.size(); ++i) {
@@ -181,12 +191,17 @@ SceneResult compare(const Place& place, const Looks& looks) {
         const auto region = static_cast<std::size_t>(region_of(place, i));
         regions[region].add(error);
         ++result.asked[region];
-        if (i >= truth.size()) continue;
+        if (i >= truth.size()) {
+            aerial[distance_of(place, i)].add(error);
+            ++result.aerial_asked[distance_of(place, i)];
+            continue;
+        }
         all.add(error);
         if (error) colours.add(shown_difference(seen[i], truth[i].value, place.exposure));
     }
     result.all = all.summary();
     std::ranges::transform(regions, result.regions.begin(), &Errors::summary);
+    std::ranges::transform(aerial, result.aerial.begin(), &Errors::summary);
     result.luminance_rmse = luminance_rmse(seen, truth);
     result.delta_e = colours.summary();
     result.sky_illuminance = luminance_error(looks.run->light.sky_irradiance_up, place.sky);

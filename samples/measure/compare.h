@@ -17,6 +17,7 @@ struct Place {
     std::vector<Point> points;
     std::optional<AerialView> aerial;
     std::vector<std::size_t> pixels;  ///< Of the aerial view: those with geometry at aerial_nearest_km or farther.
+    std::vector<double> pixels_km;    ///< How far away that is.
     std::vector<TrueValue> truth;     ///< Of the points, and after them of the pixels.
     std::vector<ProbeRow> scan;
     TrueValue sun, sky;   ///< Irradiance: of the sun, of the sky on a horizontal surface.
@@ -45,13 +46,18 @@ struct ErrorParts {
 struct FigureParts {
     double rounding = 0, discretisation = 0, model = 0;
 };
+/// Geometry up to detail::near_geometry_km, and beyond.
+inline constexpr std::array<std::string_view, 2> aerial_names{"aerial near", "aerial far"};
 struct SceneResult {
     std::size_t scene = 0;  ///< Index of Suite::scenes.
     ErrorSummary all;       ///< Of all directions; geometry is a region of its own, and in none of what follows `regions`.
     std::array<ErrorSummary, region_names.size()> regions;
     std::array<std::size_t, region_names.size()> asked{};  ///< Directions of each, also where the truth is too noisy.
-    std::optional<ErrorParts> parts;                       ///< Of all directions.
+    std::array<ErrorSummary, aerial_names.size()> aerial;  ///< Of Region::aerial, by distance.
+    std::array<std::size_t, aerial_names.size()> aerial_asked{};
+    std::optional<ErrorParts> parts;  ///< Of all directions.
     std::array<std::optional<ErrorParts>, region_names.size()> region_parts;
+    std::array<std::optional<ErrorParts>, aerial_names.size()> aerial_parts;
     std::optional<FigureParts> sky_illuminance_parts, sun_colour_parts;
     std::optional<double> luminance_rmse;   ///< None where nothing is known, or black.
     std::optional<double> sky_illuminance;  ///< Error of luminance; none where the truth is unknown.

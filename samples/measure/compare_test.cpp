@@ -20,7 +20,10 @@ Place white_place() {
     place.exposure = 0.5;
     place.aerial = AerialView{30, 0.002, 60};
     place.truth.insert(place.truth.end(), aerial_pixels, {Rgb(1), Rgb(0)});
-    for (std::size_t i = 0; i < aerial_pixels; ++i) place.pixels.push_back(i);
+    for (std::size_t i = 0; i < aerial_pixels; ++i) {
+        place.pixels.push_back(i);
+        place.pixels_km.push_back(i % 3 == 0 ? 9.9 : 10.1);
+    }
     place.sky = {Rgb(1), Rgb(0)};
     return place;
 }
@@ -50,6 +53,21 @@ TEST_CASE("compare: each part is the distance to the next look") {
     CHECK_FALSE(total.parts.has_value());
     CHECK_FALSE(total.banding.has_value());
     CHECK(total.all.median == result.all.median);
+}
+
+TEST_CASE("compare: geometry is told apart by its distance, and known or not for each") {
+    Place place = white_place();
+    Seen run = all(place, 1.2);
+    for (std::size_t i = 0; i < aerial_pixels; i += 3) run.points[place.points.size() + i] = Rgb(1.1);
+    place.truth[place.points.size()].error = Rgb(1);  // of one that is near
+    const SceneResult result = compare(place, {&run});
+    CHECK(result.aerial[0].median == near(0.1));
+    CHECK(result.aerial[0].worst == near(0.1));
+    CHECK(result.aerial[1].median == near(0.2));
+    CHECK(result.aerial_asked[0] == aerial_pixels / 3);
+    CHECK(result.aerial[0].rows + 1 == result.aerial_asked[0]);
+    CHECK(result.aerial[1].rows == aerial_pixels - aerial_pixels / 3);
+    CHECK(result.aerial[0].rows + result.aerial[1].rows == result.regions[static_cast<std::size_t>(Region::aerial)].rows);
 }
 
 TEST_CASE("compare: an error is counted in its region, and where the truth is unknown in none") {

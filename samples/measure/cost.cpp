@@ -26,6 +26,7 @@ Cost cost_of(const PassCosts& passes) {
               time_of("aerial_perspective"),
               time_of("light"),
               time_of("composite_two_suns"),
+              time_of("composite_bare"),
               time_of("shadows"),
               time_of("composite_shadows"),
               {},

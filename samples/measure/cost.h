@@ -14,10 +14,10 @@ namespace aureole::app {
 struct CostOptions {
     std::uint32_t width = detail::measured_width, height = detail::measured_height;  ///< Of the composite, pixels.
     std::uint32_t rounds = 20;                                                       ///< Measured, at least 1.
-    std::uint32_t warm_up = 2;                    ///< Rounds before them that are thrown away.
-    bool features = false;                        ///< As PassCostOptions has it.
-    std::vector<std::vector<CostRound>> known{};  ///< As PassCostOptions has them.
-    std::function<void(std::size_t subject, const CostRound&)> after_measured{};
+    std::uint32_t warm_up = 2;       ///< Rounds before them that are thrown away.
+    bool features = false;           ///< As PassCostOptions has it.
+    std::vector<CostRound> known{};  ///< As PassCostOptions has them.
+    std::function<void(const CostRound&)> after_measured{};
     std::vector<CostCounts> known_counts{};
     std::function<void(const CostCounts&)> after_counted{};
 };
@@ -31,6 +31,7 @@ struct Cost {
     Spread light_ms;               ///< Light for a host's materials: a part of per_frame_ms.
     // No parts of it, of CostOptions::features:
     Spread composite_two_suns_ms;  ///< Sky alone under two suns.
+    Spread composite_bare_ms;      ///< As composite_geometry_ms, without the air before geometry.
     Spread shadows_ms;             ///< The pass that finds shadows in the air; 0 of models that have none.
     Spread composite_shadows_ms;   ///< As composite_geometry_ms, with those shadows; 0 likewise.
     /// Work of those passes; `bytes` is what they write. The composite's is counted with an eighth of the pixels each way, and

@@ -23,7 +23,7 @@ constexpr double shortest = 0.05, longest = 500;  // of lengths
 constexpr double covered = 0.97;                  // by the margin, of scenes that are left out
 constexpr double least_spread = 1e-3;
 constexpr double usual = 3;  // length where scenes do not tell
-constexpr std::span radiance_errors = std::span(detail::measured_errors).first(3);
+constexpr std::span radiance_errors = std::span(detail::measured_errors).first(5);
 constexpr std::span light_errors = std::span(detail::measured_errors).last(1);
 constexpr double kinds = 3;  // errors of all settings tell as much as so many that had nothing in common
 
@@ -41,23 +41,28 @@ struct Family {
     std::vector<std::vector<double>> values;  // by error
 };
 
-std::vector<Family> families(MeasuredSkies& skies, const std::vector<std::size_t>& scenes,
-                             std::span<MeasuredError MeasuredSetting::*const> errors) {
-    std::map<std::vector<std::size_t>, Family> by_scenes;
+std::vector<MeasuredError*> of_settings(MeasuredSkies& skies, std::span<MeasuredError MeasuredSetting::*const> errors) {
+    std::vector<MeasuredError*> result;
     for (MeasuredSetting& setting : skies.settings)
-        for (const auto each : errors) {
-            MeasuredError* const error = &(setting.*each);
-            std::vector<std::size_t> known;
-            for (const std::size_t i : scenes)
-                if (error->by_scene[i] != MeasuredError::unknown) known.push_back(i);
-            error->spread = 0;
-            if (known.size() < detail::fewest_scenes) continue;
-            Family& family = by_scenes[known];
-            std::vector<double>& values = family.values.emplace_back();
-            for (const std::size_t i : known) values.push_back(error->by_scene[i] / 1000.0);
-            family.errors.push_back(error);
-            family.scenes = std::move(known);
-        }
+        for (const auto each : errors) result.push_back(&(setting.*each));
+    return result;
+}
+
+std::vector<Family> families(const MeasuredSkies& skies, const std::vector<std::size_t>& scenes,
+                             const std::vector<MeasuredError*>& errors) {
+    std::map<std::vector<std::size_t>, Family> by_scenes;
+    for (MeasuredError* const error : errors) {
+        std::vector<std::size_t> known;
+        for (const std::size_t i : scenes)
+            if (error->is_known(i)) known.push_back(i);
+        error->spread = 0;
+        if (known.size() < detail::fewest_scenes) continue;
+        Family& family = by_scenes[known];
+        std::vector<double>& values = family.values.emplace_back();
+        for (const std::size_t i : known) values.push_back(error->by_scene[i] / 1000.0);
+        family.errors.push_back(error);
+        family.scenes = std::move(known);
+    }
     std::vector<Family> result;
     for (auto& [known, family] : by_scenes) {
         for (const std::size_t i : known) family.places.push_back(skies.scenes[i].situation);
@@ -131,6 +136,14 @@ std::vector<double> find_spreads(std::vector<Family>& all, const Situation& leng
     return standardized;
 }
 
+/// As many lie below the same margin as of what it was found from.
+void fit_spreads(std::vector<Family> all, const MeasuredSkies& skies) {
+    if (all.empty()) return;
+    const double wider = std::max(quantile(find_spreads(all, skies.lengths), covered), 0.1) / skies.margin;
+    for (Family& family : all)
+        for (MeasuredError* error : family.errors) error->spread *= wider;
+}
+
 }  // namespace
 
 void fit(MeasuredSkies& skies, const std::vector<std::size_t>& scenes) {
@@ -138,16 +151,15 @@ void fit(MeasuredSkies& skies, const std::vector<std::size_t>& scenes) {
     skies.lengths.fill(usual);
     skies.margin = 2;
     // Errors of radiance say how airs and hours differ: those of light, one number a scene, pass through 0 here and there.
-    std::vector<Family> radiance = families(skies, known, radiance_errors), light = families(skies, known, light_errors);
+    std::vector<Family> radiance = families(skies, known, of_settings(skies, radiance_errors));
     if (!radiance.empty()) {
         skies.lengths = best_lengths(radiance);
         skies.margin = std::max(quantile(find_spreads(radiance, skies.lengths), covered), 0.1);
     }
-    if (light.empty()) return;
-    // So that as many lie below the same margin: mostly they are far off where they are small.
-    const double wider = std::max(quantile(find_spreads(light, skies.lengths), covered), 0.1) / skies.margin;
-    for (Family& family : light)
-        for (MeasuredError* error : family.errors) error->spread *= wider;
+    fit_spreads(families(skies, known, of_settings(skies, light_errors)), skies);  // mostly far off where they are small
+    std::vector<MeasuredError*> bare;
+    for (MeasuredError& error : skies.bare) bare.push_back(&error);
+    fit_spreads(families(skies, known, bare), skies);
 }
 
 }  // namespace aureole::app

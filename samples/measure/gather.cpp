@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 namespace aureole::app {
@@ -57,7 +58,9 @@ public:
         for (MeasuredSetting& setting : skies_.settings) {
             for (const auto error : detail::measured_errors) grow(setting.*error, skies_.scenes.size());
             setting.by_air.resize(skies_.airs.size());
+            if (!told_apart_.contains(setting.setting.id())) setting.aerial_near_p95 = setting.aerial_far_p95 = {};
         }
+        for (MeasuredError& error : skies_.bare) grow(error, skies_.scenes.size());
         return std::move(skies_);
     }
 
@@ -72,6 +75,19 @@ private:
             skies_.scenes, id, [](const MeasuredScene& one) { return one.id; },
             MeasuredScene{id, air, scene.at("sun_elevation_deg").get<double>(), scene.at("altitude_m").get<double>(),
                           scene.at("situation").get<detail::Situation>()});
+        if (scene.contains("bare"))
+            for (const json& error : scene.at("bare"))
+                keep_bare(scenes_.at(id), scene.at("extinction_per_km").get<double>() / 1000, error);
+    }
+
+    void keep_bare(std::size_t scene, double extinction_per_m, const json& error) {
+        const auto at = std::ranges::find(detail::bare_distances_km, error.at("distance_km").get<double>());
+        if (at == detail::bare_distances_km.end() || !is_known(error)) return;
+        const double share = detail::bare_share(extinction_per_m, *at);
+        if (!(share > 0)) return;
+        MeasuredError& kept = skies_.bare[static_cast<std::size_t>(at - detail::bare_distances_km.begin())];
+        grow(kept, scene + 1);
+        kept.by_scene[scene] = MeasuredError::pack(error.at("p95").get<double>() / share);
     }
 
     MeasuredSetting& setting_of(const json& described) {
@@ -79,7 +95,7 @@ private:
         const std::string id = setting.id();
         const std::size_t i = index_of(
             skies_.settings, id, [](const MeasuredSetting& one) { return one.setting.id(); },
-            MeasuredSetting{std::move(setting), {}, {}, {}, {}, {}});
+            MeasuredSetting{std::move(setting), {}, {}, {}, {}, {}, {}, {}});
         return skies_.settings[i];
     }
 
@@ -97,6 +113,11 @@ private:
         keep(setting.sky_median, "all", "median");
         keep(setting.sky_p95, "all", "p95");
         keep(setting.aerial_p95, "aerial", "p95");
+        // Older measurements do not tell geometry apart by its distance: of both what they know of all.
+        const bool apart = regions.contains("aerial near") || regions.contains("aerial far");
+        if (apart) told_apart_.insert(setting.setting.id());
+        keep(setting.aerial_near_p95, apart ? "aerial near" : "aerial", "p95");
+        keep(setting.aerial_far_p95, apart ? "aerial far" : "aerial", "p95");
         keep_light(setting.light, scene, result);
     }
 
@@ -150,6 +171,8 @@ private:
             return larger * std::max(median(name) - median(than), 0.0);
         };
         kept.composite_sun_ms = more("composite_two_suns_ms", "composite_ms");
+        kept.composite_bare_ms =  // older measurements do not have it: no cheaper, then
+            cost.contains("composite_bare_ms") ? larger * median("composite_bare_ms") : kept.composite_geometry_ms;
         kept.shadows_ms = median("shadows_ms");
         kept.composite_shadows_ms = more("composite_shadows_ms", "composite_geometry_ms");
         const auto mebibytes = [&](const char* name) { return cost.at(name).get<double>() / 1048576; };
@@ -173,6 +196,7 @@ private:
     const std::map<std::string, AtmosphereParameters>& airs_;
     MeasuredSkies skies_;
     std::map<std::string, std::size_t> scenes_;
+    std::set<std::string> told_apart_;  // settings whose geometry is
 };
 
 }  // namespace

@@ -64,9 +64,11 @@ public:
         distances_.push_back(here.distance());
         for (const MeasuredSetting& setting : predictor_.skies().settings) {
             add(sky_, here, setting.sky_p95, scene);
-            add(geometry_, here, setting.aerial_p95, scene);
+            for (const MeasuredError* error : detail::errors_of_geometry(setting, 1000 * detail::farthest_geometry_km))
+                if (error != nullptr) add(geometry_, here, *error, scene);
             add(light_, here, setting.light, scene);
         }
+        for (const MeasuredError& error : predictor_.skies().bare) add(bare_, here, error, scene);
         choose(scene, here, false);
         choose(scene, here, true);
     }
@@ -76,6 +78,7 @@ public:
         found.sky = summary_of(sky_);
         found.geometry = summary_of(geometry_);
         found.light = summary_of(light_);
+        found.bare = summary_of(bare_);
         sky_.insert(sky_.end(), geometry_.begin(), geometry_.end());
         found.radiance = summary_of(sky_);
         found.choices = choices_;
@@ -121,7 +124,7 @@ private:
 
     const MeasuredSkies& skies_;
     const Predictor& predictor_;
-    std::vector<Foretold> sky_, geometry_, light_;
+    std::vector<Foretold> sky_, geometry_, light_, bare_;
     std::vector<double> distances_;
     std::size_t choices_ = 0, kept_ = 0;
 };

@@ -23,6 +23,7 @@ struct Coverage {
     };
     Of sky, geometry, light;
     Of radiance;  ///< Sky and geometry.
+    Of bare;      ///< Geometry without the air before it, at all distances.
     /// Choices that a plan makes (best_of), among the settings measured there, within 0.5 to 20 %: of the sky in each of those
     /// scenes, and again with geometry, and light where it is known; and the share of them that keep the tolerance. Less than
     /// below_bound: of many settings the one is taken whose bound is lowest.

@@ -1,6 +1,7 @@
 #include "measure/measure.h"
 
 #include "app/solution.h"
+#include "measure/bare.h"
 #include "measure/kept.h"
 #include "plan/situation.h"
 
@@ -44,6 +45,11 @@ json to_json(const Suite& suite, const Setting& setting, const SceneResult& resu
         const std::string name(region_names[i]);
         if (result.asked[i] > 0) out["regions"][name] = to_json(result.regions[i], result.asked[i]);
         if (result.region_parts[i]) out["split"][name] = to_json(*result.region_parts[i]);
+    }
+    for (std::size_t i = 0; i < aerial_names.size(); ++i) {
+        const std::string name(aerial_names[i]);
+        if (result.aerial_asked[i] > 0) out["regions"][name] = to_json(result.aerial[i], result.aerial_asked[i]);
+        if (result.aerial_parts[i]) out["split"][name] = to_json(*result.aerial_parts[i]);
     }
     if (result.parts) out["split"]["all"] = to_json(*result.parts);
     if (result.sky_illuminance_parts) out["figure_split"]["sky_illuminance"] = to_json(*result.sky_illuminance_parts);
@@ -118,6 +124,20 @@ public:
         return results;
     }
 
+    /// Into the scenes of this air: what geometry without the air before it errs by.
+    void add_bare_errors(json& scenes) const {
+        for (const Place& place : places_) {
+            if (!place.aerial) continue;
+            json& list = scenes[place.scene]["bare"];
+            const BareErrors errors = bare_errors(air_.parameters, place);
+            for (std::size_t i = 0; i < errors.size(); ++i) {
+                json one = to_json(errors[i].error, errors[i].asked);
+                one["distance_km"] = detail::bare_distances_km[i];
+                list.push_back(std::move(one));
+            }
+        }
+    }
+
 private:
     [[nodiscard]] json key_of(const Setting& setting) const {
         return {{"air", print_parameters(truth_parameters(air_))},
@@ -189,14 +209,18 @@ json scenes_json(const Suite& suite) {
     json out = json::array();
     std::vector<detail::AirCoordinates> airs;
     for (const SuiteAir& air : suite.airs) airs.emplace_back(air.parameters);
-    for (const SuiteScene& scene : suite.scenes)
+    for (const SuiteScene& scene : suite.scenes) {
+        const detail::Situation place = airs[scene.air].at(scene.sun_elevation_deg, scene.altitude_m);
+        const double densest = detail::densest_extinction_per_m(suite.airs[scene.air].parameters);
         out.push_back({{"id", suite.id(scene)},
-                       {"situation", airs[scene.air].at(scene.sun_elevation_deg, scene.altitude_m)},
+                       {"situation", place},
+                       {"extinction_per_km", 1000 * detail::extinction_per_m(densest, place)},
                        {"spectral", suite.airs[scene.air].spectral},
                        {"class", scene.scene_class},
                        {"air", suite.airs[scene.air].name},
                        {"sun_elevation_deg", scene.sun_elevation_deg},
                        {"altitude_m", scene.altitude_m}});
+    }
     return out;
 }
 
@@ -216,11 +240,12 @@ json settings_json(const Suite& suite) {
 
 json measure(const Suite& suite, const MeasureOptions& options, Backend& run, Backend& exact,
              const std::function<void(std::size_t done, std::size_t items)>& after_item) {
-    json results = json::array();
+    json results = json::array(), scenes = scenes_json(suite);
     const std::size_t items = suite.airs.size() * suite.settings.size();
     std::size_t done = 0;
     for (std::size_t air = 0; air < suite.airs.size(); ++air) {
         AirMeasurement of_air(suite, air, options, run, exact);
+        of_air.add_bare_errors(scenes);
         for (const Setting& setting : suite.settings) {
             for (json& result : of_air.item(setting)) results.push_back(std::move(result));
             after_item(++done, items);
@@ -229,7 +254,7 @@ json measure(const Suite& suite, const MeasureOptions& options, Backend& run, Ba
     return {{"version", 1},
             {"suite", suite.name},
             {"device", run.describe()},
-            {"scenes", scenes_json(suite)},
+            {"scenes", std::move(scenes)},
             {"settings", settings_json(suite)},
             {"results", std::move(results)}};
 }

@@ -65,15 +65,20 @@ std::string print(const MeasuredCost& cost) {
     const double work[] = {w.rebuild, w.view, w.air_memory, w.view_memory, w.aerial_perspective_memory, w.composite, w.light};
     std::string text = braced(values, ", ", rounded);
     text.pop_back();
-    return text + ", " + braced(work, ", ", exact) + "}";
+    return text + ", " + braced(work, ", ", exact) + ", " + rounded(cost.composite_bare_ms) + "}";
 }
 
 std::string print(const MeasuredSetting& measured) {
     const Setting& s = measured.setting;
     std::string text = "// " + s.id() + "\n{{" + quoted(s.model) + ", " + quoted(s.quality) + ", " + quoted(s.spectral) + ", " +
                        braced(s.without, ", ", quoted) + "},\n ";
-    for (const auto error : detail::measured_errors) text += print(measured.*error) + ",\n ";
-    return text + braced(measured.by_air, ", ", [](const MeasuredCost& cost) { return print(cost); }) + "}";
+    for (const auto error :
+         {&MeasuredSetting::sky_median, &MeasuredSetting::sky_p95, &MeasuredSetting::aerial_p95, &MeasuredSetting::light})
+        text += print(measured.*error) + ",\n ";
+    text += braced(measured.by_air, ", ", [](const MeasuredCost& cost) { return print(cost); });
+    for (const auto error : {&MeasuredSetting::aerial_near_p95, &MeasuredSetting::aerial_far_p95})
+        text += ",\n " + print(measured.*error);
+    return text + "}";
 }
 
 }  // namespace
@@ -86,7 +91,8 @@ std::string print_initializer(const MeasuredSkies& skies) {
         return "{" + quoted(scene.id) + ", " + std::to_string(scene.air) + ", " + rounded(scene.sun_elevation_deg) + ", " +
                rounded(scene.altitude_m) + ", " + braced(scene.situation, ", ", exact) + "}";
     });
-    text += ",\n" + braced(skies.settings, ",\n", [](const MeasuredSetting& setting) { return print(setting); }) + "}\n";
+    text += ",\n" + braced(skies.settings, ",\n", [](const MeasuredSetting& setting) { return print(setting); });
+    text += ",\n{" + braced(skies.bare, ",\n", [](const MeasuredError& error) { return print(error); }) + "}}\n";
     return text;
 }
 

@@ -49,18 +49,19 @@ struct PlanRequirements {
     Projection projection = Projection::matrix;  ///< Of every camera. Costs were measured for matrix, and the others are
                                                  ///< charged the same.
     bool geometry = false;                       ///< The composite gets a host's colour and depth.
-    double geometry_range_m = 96000;             ///< How far away geometry may be: of the view's froxels;
-                                                 ///< errors were measured at 1 to 100 km; outside
-                                                 ///< of these the plan warns. In [1e-3, 1e13].
-    bool shadows = false;                        ///< The host's shadow map darkens the air (ViewSettings::shadows, which
-                                                 ///< the host sets): of one sun, and charged at the default size. What
-                                                 ///< shadows err by is in no figure of the plan (shadows.md).
-    bool light = true;                           ///< Sun colour and sky irradiance for the host's own materials are needed,
-                                                 ///< and must be as right as what is seen (within the air:
-                                                 ///< above it light is the sun's alone).
-    std::uint32_t suns = 1;                      ///< Tables are charged for each, and composites grow with them. In [1, 4].
-    std::uint32_t views = 1;                     ///< Cameras that are drawn each frame. In [1, 64].
-    std::uint32_t width = 1280, height = 720;    ///< Pixels of a view. Each in [1, 65536].
+    /// How far away geometry may be: of the view's froxels. Errors of geometry are those up to there; where the air before it
+    /// changes less than the tolerance, it is left out. Errors were measured at 1 to 100 km; outside of these the plan warns.
+    /// In [1e-3, 1e13].
+    double geometry_range_m = 96000;
+    bool shadows = false;                      ///< The host's shadow map darkens the air (ViewSettings::shadows, which
+                                               ///< the host sets): of one sun, and charged at the default size. What
+                                               ///< shadows err by: Plan::shadows_bound, which no tolerance judges.
+    bool light = true;                         ///< Sun colour and sky irradiance for the host's own materials are needed,
+                                               ///< and must be as right as what is seen (within the air:
+                                               ///< above it light is the sun's alone).
+    std::uint32_t suns = 1;                    ///< Tables are charged for each, and composites grow with them. In [1, 4].
+    std::uint32_t views = 1;                   ///< Cameras that are drawn each frame. In [1, 64].
+    std::uint32_t width = 1280, height = 720;  ///< Pixels of a view. Each in [1, 65536].
     /// Colours must be those of wavelengths, as the eye sees them, not those of a red, a green and a blue light: the truth that
     /// errors are against. Measured of Earth's air alone, clear and hazy.
     bool wavelengths = false;
@@ -93,7 +94,7 @@ struct PlanCost {
 /// Relative: of the worst situation in the requirements' ranges.
 struct PlanError {
     double median = 0;  ///< Of the radiance of half of the directions; likely.
-    double p95 = 0;     ///< Of 95 of 100 directions; likely.
+    double p95 = 0;     ///< Of 95 of 100 directions, of geometry, too, where there is any; likely.
     double light = 0;   ///< Where PlanRequirements::light: of the sky's illuminance or the sun's colour, the worse; likely.
     double bound = 0;   ///< Upper bound of p95 and of light: each holds in 95 of 100 scenes that were not measured (plan.md).
 };
@@ -119,11 +120,15 @@ struct Plan {
     Setting setting;
     AtmosphereParameters air;  ///< With what is left out left out: to be given to Atmosphere, with `model`.
     ModelPtr model;
-    ViewSettings view;  ///< Aerial perspective, its range, light and suns as required; shadows as the host sets them.
+    ViewSettings view;  ///< Aerial perspective where it is needed, its range, light and suns; shadows as the host sets them.
 
     bool tolerable = false;  ///< False: nothing meets the requirements; this is the most accurate within budgets, or what
                              ///< breaks them least.
     PlanError error;
+    /// Where PlanRequirements::shadows: upper bound of what shadows in the air err by, of the light that is there without them,
+    /// away from the edges of shadows; no part of `error`. Most of it is light that was scattered more than once, which is not
+    /// shadowed (shadows.md). None where that was not measured.
+    std::optional<double> shadows_bound;
     PlanCost cost;
     std::vector<PlanChoice> choices;
     std::vector<PlanCandidate> candidates;  ///< All, from the cheapest on; those excluded last.
@@ -141,7 +146,7 @@ struct Plan {
     [[nodiscard]] std::string text() const;
 };
 
-/// Deterministic; touches no device; from any thread. 2 ms for one place, some 20 for the widest ranges (plan.md). Throws as
+/// Deterministic; touches no device; from any thread. 2 ms for one place, some 30 for the widest ranges (plan.md). Throws as
 /// validate does, of the air too; and Error(unsupported) naming "wavelengths" or "air" where no setting that was measured can
 /// be taken, with the reasons of all.
 [[nodiscard]] Plan plan(const PlanRequirements& requirements);

@@ -1,0 +1,229 @@
+// Geometry: errors by its distance, and the air before it left out where that changes less than the tolerance.
+#include "plan/candidates.h"
+
+#include <aureole/plan.h>
+#include <aureole/presets.h>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace aureole;
+using namespace aureole::detail;
+
+namespace {
+
+PlanRequirements with_geometry(double range_m, double tolerance) {
+    PlanRequirements needs;
+    needs.air = presets::earth();
+    needs.sun_elevation_deg = {25, 25};
+    needs.geometry = true;
+    needs.geometry_range_m = range_m;
+    needs.tolerance = tolerance;
+    return needs;
+}
+
+/// The same everywhere, and certain.
+MeasuredError everywhere(const MeasuredSkies& skies, double error) {
+    return {0, std::vector(skies.scenes.size(), MeasuredError::pack(error))};
+}
+
+/// What ships, but for geometry: without the air before it `bare` times the share of light that does not come through is
+/// missing; with it errors are `near` and `far`.
+MeasuredSkies skies_with(double bare, double near, double far) {
+    MeasuredSkies skies = measured_in_rgb();
+    for (MeasuredError& error : skies.bare) error = everywhere(skies, bare);
+    for (MeasuredSetting& setting : skies.settings) {
+        setting.aerial_near_p95 = everywhere(skies, near);
+        setting.aerial_far_p95 = everywhere(skies, far);
+        for (MeasuredCost& cost : setting.by_air) cost.composite_bare_ms = 0.9 * cost.composite_geometry_ms;
+    }
+    return skies;
+}
+
+Outlook seen(const PlanRequirements& needs, const MeasuredSkies& skies, bool keep_air = false) {
+    return outlook(needs, Predictor(skies), situations_of(needs, skies), keep_air);
+}
+
+const PlanChoice& choice_of(const Plan& plan, const std::string& what) {
+    const auto found = std::ranges::find(plan.choices, what, &PlanChoice::what);
+    REQUIRE(found != plan.choices.end());
+    return *found;
+}
+
+}  // namespace
+
+TEST_CASE("plan: geometry is judged by the distances that there are") {
+    const MeasuredSkies skies = skies_with(100, 0.3, 3);
+    const auto bounds = [&](double range_m) { return seen(with_geometry(range_m, 0.02), skies).candidates; };
+    const auto near = bounds(9e3), far = bounds(11e3);
+    PlanRequirements none = with_geometry(9e3, 0.02);
+    none.geometry = false;
+    const auto sky = seen(none, skies).candidates;
+    for (std::size_t i = 0; i < sky.size(); ++i) {
+        if (!sky[i].excluded.empty()) continue;
+        CHECK(near[i].error.bound == doctest::Approx(std::max(sky[i].error.bound, 0.3)).epsilon(2e-3).scale(1e-300));
+        CHECK(far[i].error.bound == doctest::Approx(std::max(sky[i].error.bound, 3.0)).epsilon(2e-3).scale(1e-300));
+        CHECK(near[i].cost.frame_ms == far[i].cost.frame_ms);
+    }
+    // Tables that do not tell distances apart have one error for all.
+    MeasuredSkies old = skies;
+    for (MeasuredSetting& setting : old.settings) {
+        setting.aerial_near_p95 = setting.aerial_far_p95 = {};
+        setting.aerial_p95 = everywhere(old, 7);
+    }
+    for (const double range_m : {9e3, 11e3})
+        for (const PlanCandidate& one : seen(with_geometry(range_m, 0.02), old).candidates)
+            if (one.excluded.empty()) CHECK(one.error.bound >= 0.998 * 7);
+}
+
+TEST_CASE("plan: the air before geometry is left out just where that changes no more than the tolerance") {
+    const double times = 2, tolerance = 0.05;
+    const MeasuredSkies skies = skies_with(times, 1e-3, 1e-3);
+    const AirCoordinates air(presets::earth());
+    const double extinction = extinction_per_m(densest_extinction_per_m(presets::earth()), air.at(25, 2));
+    for (const double km : {0.003, 0.02, 0.1, 0.25, 0.6, 1.0, 1.3, 2.0, 5.0, 40.0, 200.0}) {
+        CAPTURE(km);
+        PlanRequirements needs = with_geometry(1000 * km, tolerance);
+        const Outlook found = seen(needs, skies), kept = seen(needs, skies, true);
+        REQUIRE(found.bare);
+        // An upper bound, and no more than what lies between two known distances.
+        const double truth = times * bare_share(extinction, km);
+        CHECK(found.bare->bound >= 0.998 * truth);
+        CHECK(found.bare->bound <= 1.002 * times * 1000 * extinction * km);
+        CHECK((found.air == AirBefore::left_out) == (found.bare->bound <= tolerance));
+        CHECK(kept.air == AirBefore::drawn);
+        for (std::size_t i = 0; i < found.candidates.size(); ++i) {
+            const PlanCandidate &one = found.candidates[i], &other = kept.candidates[i];
+            if (!one.excluded.empty()) continue;
+            CHECK(one.cost.charged_ms <= other.cost.charged_ms);
+            CHECK(one.cost.mebibytes <= other.cost.mebibytes);
+            if (found.air == AirBefore::drawn) continue;
+            CHECK(one.error.bound >= found.bare->bound);
+            CHECK(found.bound_otherwise[i] == other.error.bound);
+            CHECK(kept.bound_otherwise[i] == one.error.bound);
+            CHECK(one.cost.frame_ms < other.cost.frame_ms);
+        }
+        needs.shadows = true;  // they are seen in it
+        CHECK(seen(needs, skies).air == AirBefore::drawn);
+        needs.shadows = false;
+        needs.tolerance.reset();
+        needs.budget_ms = 1;
+        CHECK(seen(needs, skies).air == AirBefore::drawn);
+        needs.geometry = false;
+        CHECK(seen(needs, skies).air == AirBefore::nothing);
+    }
+    MeasuredSkies unknown = skies;
+    unknown.bare = {};
+    const Outlook found = seen(with_geometry(1, 0.5), unknown);
+    CHECK(found.air == AirBefore::drawn);
+    CHECK_FALSE(found.bare);
+}
+
+TEST_CASE("plan: in tables that do not know what a composite without air takes, leaving it out saves its tables alone") {
+    MeasuredSkies skies = skies_with(1e-3, 0.01, 0.01);
+    for (MeasuredSetting& setting : skies.settings)
+        for (MeasuredCost& cost : setting.by_air) cost.composite_bare_ms = 0;
+    const PlanRequirements needs = with_geometry(100, 0.1);
+    const Predictor predictor(skies);
+    const Situation place = AirCoordinates(needs.air).at(25, 2);
+    for (const MeasuredSetting& setting : skies.settings) {
+        const std::optional<MeasuredCost> cost = predictor.cost(setting, place, {});
+        if (!cost) continue;
+        CHECK(cost->composite_bare_ms == 0);
+        const CostParts drawn = cost_of(needs, *cost), bare = cost_of(needs, *cost, AirBefore::left_out);
+        CHECK(drawn.cost.frame_ms - bare.cost.frame_ms ==
+              doctest::Approx(drawn.aerial_perspective_ms).epsilon(1e-9).scale(drawn.cost.frame_ms));
+    }
+}
+
+TEST_CASE("plan: what is far off at one hour keeps the air for the whole range") {
+    MeasuredSkies skies = skies_with(1e-3, 1e-3, 1e-3);
+    for (std::size_t i = 0; i < skies.scenes.size(); ++i)
+        if (skies.scenes[i].sun_elevation_deg < 2)
+            for (MeasuredError& error : skies.bare) error.by_scene[i] = MeasuredError::pack(100);
+    PlanRequirements needs = with_geometry(5e3, 0.05);
+    CHECK(seen(needs, skies).air == AirBefore::left_out);
+    needs.sun_elevation_deg = {1, 25};
+    CHECK(seen(needs, skies).air == AirBefore::drawn);
+}
+
+TEST_CASE("plan: errors of geometry without the air before it grow with its distance") {
+    const Predictor predictor(measured_in_rgb());
+    for (const char* name : {"earth", "hazy_earth", "mars"}) {
+        const AtmosphereParameters air = presets::by_name(name);
+        const double densest = densest_extinction_per_m(air);
+        Predictor::Here here = predictor.at(AirCoordinates(air).at(20, 2));
+        REQUIRE(here.bare(1, densest));
+        PredictedError before;
+        for (double km = 1e-4; km < 1e3; km *= 1.3) {
+            const PredictedError now = here.bare(1000 * km, densest).value();
+            CHECK(now.likely >= before.likely);
+            CHECK(now.bound >= before.bound);
+            CHECK(now.bound >= now.likely);
+            before = now;
+        }
+    }
+}
+
+TEST_CASE("plan: from high up, where rays find denser air, the next distance that is known counts, and beyond none is") {
+    const Predictor predictor(measured_in_rgb());
+    const AtmosphereParameters air = presets::earth();
+    const double densest = densest_extinction_per_m(air);
+    const auto bound = [&](double altitude_m, double km) -> std::optional<double> {
+        const auto found = predictor.at(AirCoordinates(air).at(20, altitude_m)).bare(1000 * km, densest);
+        return found ? std::optional(found->bound) : std::nullopt;
+    };
+    CHECK(bound(10e3, 4).value() == doctest::Approx(bound(10e3, 9.9).value()).epsilon(1e-12).scale(1e-300));
+    CHECK(bound(2, 4).value() < bound(2, 9.9).value());
+    CHECK(bound(2, 90));
+    CHECK_FALSE(bound(10e3, 90));
+    CHECK_FALSE(bound(4e5, 0.01));
+}
+
+TEST_CASE("plan: a plan without the air before geometry has no froxels, and says what it errs by and saves") {
+    const PlanRequirements needs = with_geometry(1, 0.3);
+    const Plan found = plan(needs);
+    REQUIRE_FALSE(found.view.aerial_perspective);
+    const PlanChoice& choice = choice_of(found, "aerial perspective");
+    CHECK(choice.chosen == "left out");
+    CHECK(choice.reason.find("geometry up to 0.00100 km away is off by") != std::string::npos);
+    CHECK(choice.reason.find("within the tolerance of 30 %: saves") != std::string::npos);
+    CHECK(choice.cost_otherwise_ms.value() >= 0);
+    CHECK(choice.error_otherwise);
+    CHECK(std::ranges::find(found.choices, "froxels", &PlanChoice::what) == found.choices.end());
+    CHECK(std::ranges::none_of(found.warnings, [](const auto& w) { return w.find("is FAR from") != w.npos; }));
+    const Plan far = plan(with_geometry(9e4, 1e-3));
+    CHECK(far.view.aerial_perspective);
+    CHECK(choice_of(far, "aerial perspective").reason.find("away would be off by") != std::string::npos);
+    CHECK(choice_of(far, "aerial perspective").reason.find("more than 0.10 %") != std::string::npos);
+}
+
+TEST_CASE("plan: shadows in the air are bounded by the light that was scattered more than once") {
+    MeasuredSkies skies = skies_with(1, 0.01, 0.01);
+    PlanRequirements needs = with_geometry(1e4, 0.2);
+    const auto bound = [&] { return shadows_bound(needs, Predictor(skies), situations_of(needs, skies)); };
+    const auto single = std::ranges::find_if(skies.settings, [](const MeasuredSetting& one) {
+        return one.setting.without == std::vector<std::string>{"multiple scattering"};
+    });
+    REQUIRE(single != skies.settings.end());
+    single->sky_p95 = everywhere(skies, 0.2);
+    const double sky = bound().value();
+    CHECK(sky > 0.2);
+    CHECK(sky < 0.25);  // and the march
+    single->aerial_near_p95 = single->aerial_far_p95 = everywhere(skies, 0.4);
+    CHECK(bound().value() == doctest::Approx(sky + 0.2).epsilon(1e-3).scale(1));
+    single->sky_p95 = everywhere(skies, 3);
+    CHECK(bound() == 1.0);  // there is no more light than all
+    std::erase_if(skies.settings, [](const MeasuredSetting& one) { return one.setting.leaves_out("multiple scattering"); });
+    CHECK_FALSE(bound());
+
+    const Plan bare = plan(needs);
+    CHECK_FALSE(bare.shadows_bound);
+    needs.shadows = true;
+    const Plan shadowed = plan(needs);
+    REQUIRE(shadowed.shadows_bound);
+    CHECK(shadowed.text().find("error of shadows in the air: below") != std::string::npos);
+    CHECK(choice_of(shadowed, "shadows").reason.find("they err by at most") != std::string::npos);
+}

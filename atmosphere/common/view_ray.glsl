@@ -69,13 +69,14 @@ real lowest_altitude(ViewDirection v) {
     return 2 * (bottom_radius() + view.space.x) * (view.horizon.y * half_cosine - view.horizon.x * q) * q;
 }
 
-// Distance at which a camera above the air enters it, 0 inside it, -1 if the ray misses it.
+// Distance at which a camera above the air enters it, 0 inside it, -1 if the ray misses it. The smaller root of
+// t^2 + 2 r mu t + r^2 - T^2 = 0 by the product of both: -r mu less half the chord would be off by a step of r.
 real distance_to_air(ViewDirection v) {
     if (view.camera.w < real(0.5)) return real(0);
     real r = bottom_radius() + view.space.x;
     real lowest = lowest_altitude(v);
     if (v.mu >= 0 || lowest > shell_thickness()) return real(-1);
-    return max(-r * v.mu - half_chord(lowest), real(0));
+    return squares_apart(shell_thickness(), view.space.x) / max(half_chord(lowest) - r * v.mu, real(1e-20));
 }
 
 // Ray in the air for a direction, from where it starts there; its end is for the caller to set.

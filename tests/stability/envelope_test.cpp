@@ -32,9 +32,8 @@ public:
         for (const Scene& scene : scenes)
             for (const Subject subject : subjects) {
                 if (subject == Subject::geometry && !shows_geometry(scene)) continue;
-                const std::vector<Rgb> exact = exact_.look(scene, subject);
-                std::ranges::copy(relative_errors(seen_.look(scene, subject), exact, least_light(scene, exact, half_, subject)),
-                                  std::back_inserter(errors));
+                const Exact exact = exact_look(exact_, scene, subject, half_);
+                std::ranges::copy(relative_errors(seen_.look(scene, subject), exact), std::back_inserter(errors));
             }
         if (errors.empty()) return 0;
         std::ranges::sort(errors);

@@ -79,12 +79,14 @@ real distance_to_air(ViewDirection v) {
     return squares_apart(shell_thickness(), view.space.x) / max(half_chord(lowest) - r * v.mu, real(1e-20));
 }
 
-// Ray in the air for a direction, from where it starts there; its end is for the caller to set.
+// Ray in the air for a direction, from where it starts there; its end is for the caller to set. `nu` of two rounded directions may
+// lie beyond 1, which would move the sun by as much of the way to the air.
 Ray air_ray(ViewDirection v, real entry, int sun, real nu) {
     Ray ray;
     real r = bottom_radius() + view.space.x;
     real top = bottom_radius() + shell_thickness();
     bool space = view.camera.w > real(0.5);
+    nu = clamp(nu, real(-1), real(1));
     ray.altitude = view.camera.x;
     ray.mu = v.mu;
     if (space) ray.mu = entry > 0 ? -half_chord(lowest_altitude(v)) / top : clamp(r * v.mu / top, real(-1), real(1));
@@ -98,7 +100,7 @@ Ray air_ray(ViewDirection v, real entry, int sun, real nu) {
 // The camera's ray through the air, from where it enters it (distance_to_air) to the ground or the top; without length where it
 // misses it.
 Ray camera_air_ray(ViewDirection v, real entry, int sun, real nu) {
-    Ray ray = air_ray(v, max(entry, real(0)), sun, clamp(nu, real(-1), real(1)));
+    Ray ray = air_ray(v, max(entry, real(0)), sun, nu);
     ray.ground = sine_above_horizon(v) < 0;
     ray.end = ray.ground ? distance_to_ground_over(ray.altitude, ray.mu, lowest_altitude(v)) : distance_to_top(ray.altitude, ray.mu);
     if (entry < 0) ray.end = real(0);

@@ -26,10 +26,14 @@ void tell_outside(std::vector<OutsideEnvelope>& known, std::vector<OutsideEnvelo
     known = std::move(now);
 }
 
-bool keeps_sky_in_half(const Model& model, const AtmosphereParameters& parameters) {
-    return std::ranges::any_of(model.tables_for(parameters), [](const ModelTable& table) {
-        return (table.name == "sky-view table" || table.name == "dome") && table.format == rhi::Format::rgba16_float;
-    });
+InHalfFloats kept_in_half(const Model& model, const AtmosphereParameters& parameters) {
+    InHalfFloats kept;
+    for (const ModelTable& table : model.tables_for(parameters)) {
+        const bool half = table.format == rhi::Format::rgba16_float;
+        kept.sky |= half && (table.name == "sky-view table" || table.name == "dome");
+        kept.difference |= half && table.name == "scattering table";
+    }
+    return kept;
 }
 
 }  // namespace aureole::detail

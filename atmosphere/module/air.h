@@ -96,7 +96,7 @@ struct Atmosphere::Impl {
     std::unique_ptr<detail::AirTables> tables;
     std::vector<detail::AirUser*> users;
     std::vector<PassReport> reports;
-    bool half_sky = false;  // as keeps_sky_in_half says
+    InHalfFloats in_half{};  // as kept_in_half says
     std::vector<OutsideEnvelope> outside{};
     std::vector<OutsideEnvelope> told{};  // of this air and of its views
 

@@ -2,6 +2,7 @@
 #include "passes/rig.h"
 
 #include <aureole/envelope.h>
+#include <aureole/models/bruneton.h>
 #include <aureole/models/hillaire.h>
 #include <aureole/models/single.h>
 #include <aureole/presets.h>
@@ -120,4 +121,21 @@ TEST_CASE("envelope: two views of an air say the same but once, and another valu
     CHECK(told(second, 10) == "");
     CHECK(count(told(second, 2e9), "camera.position_m: altitude in m: 2") == 1);
     CHECK(count(told(rig.view, 4e9), "camera.position_m: altitude in m: 4") == 1);
+}
+
+TEST_CASE("envelope: geometry at dusk by differences of half floats, where there is geometry") {
+    const auto cpu = open_cpu_float();
+    const auto told = [&](rhi::Format format, bool geometry) {
+        Setup setup;
+        models::BrunetonSettings settings;
+        settings.format = format;
+        setup.model = models::bruneton(settings);
+        setup.composite.scene_color = setup.composite.scene_depth = geometry;
+        Rig rig(*cpu, setup);
+        const std::array suns{sun_at(-4)};
+        return logged([&] { rig.view.update(camera_at(setup.air.planet, 100), suns); });
+    };
+    CHECK(count(told(rhi::Format::rgba16_float, true), "suns[0].direction: elevation in degrees, of geometry: -") == 1);
+    CHECK(told(rhi::Format::rgba16_float, false) == "");
+    CHECK(told(rhi::Format::rgba32_float, true) == "");
 }

@@ -185,8 +185,9 @@ void View::update(const Camera& camera, std::span<const Sun> suns) {
     detail::check_count("suns", suns.size(), 0, impl.settings.max_suns);
     impl.use(impl.pack(camera, suns), camera);
     impl.tell_if_deep(camera);
-    detail::tell_outside(impl.outside, outside_envelope(impl.air.parameters.planet, camera, suns, impl.air.half_sky),
-                         impl.air.told);
+    InHalfFloats in_half = impl.air.in_half;
+    in_half.difference &= impl.composite.scene_depth && impl.settings.aerial_perspective;
+    detail::tell_outside(impl.outside, outside_envelope(impl.air.parameters.planet, camera, suns, in_half), impl.air.told);
     impl.camera = camera;
     impl.suns.assign(suns.begin(), suns.end());
     impl.updated = true;

@@ -293,7 +293,7 @@ Exact exact_look(Observer& in_double, const Scene& scene, Subject subject, bool 
     if (subject == Subject::geometry) {
         exact.here = exact.least = exact.most = in_double.look(scene, subject);
         for (const int one : {-1, 1}) {
-            widen(exact, in_double.geometry(scene, one));
+            widen(exact, in_double.geometry(scene, 2 * one));
             widen(exact, in_double.geometry(scene, 0, one));
         }
         exact.least_light = 0.04 * (mean + beam_on_ground(scene));

@@ -82,9 +82,9 @@ private:
     bool sun_disk_ = false;
 };
 
-/// What a model in float is compared with. Of geometry all that it may be by a depth buffer in float and by directions in
-/// float: from a step nearer to a step farther, 64 m at 10^6 km, and from a step (1.2e-7 rad, less than a thousandth of a
-/// pixel) lower to a step higher.
+/// What a model in float is compared with. Of geometry all that it may be by a distance and by directions in float: from two
+/// steps nearer to two steps farther, of 64 m at 10^6 km (the depth buffer's own, and that of what is worked out from it), and
+/// from a step (1.2e-7 rad, less than a thousandth of a pixel) lower to a step higher.
 struct Exact {
     std::vector<Rgb> here, least, most;
     /// Errors are relative to `here`, or to this where there is less.

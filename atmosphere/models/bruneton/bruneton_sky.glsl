@@ -66,7 +66,7 @@ Ray ray_behind(Ray ray, real t) {
 // A beginning of the ray that is long enough for its light to be more than what two look-ups are off by, and so short that its air
 // and what lights it are nearly even.
 real even_length(Ray ray) {
-    real t = ray.end / 256;
+    real t = ray.end / 64;
     vec3 depth = dark_depth(ray, real(0), t, !ray.ground);
     return t * min(real(0.0625) / max(max(depth.x, max(depth.y, depth.z)), real(1e-20)), real(1));
 }

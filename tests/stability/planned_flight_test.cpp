@@ -277,6 +277,7 @@ TEST_CASE("stability, frame by frame: a sky that follows its plan changes plans 
         const Found found = fly(flight, tolerance, course_of(flight, tolerance));
         switches += found.switches;
         check_fades(found);
+        // Half of a frame's share in the difference where a fade begins or ends, and a third more than was found of both.
         CHECK(found.jump <= 0.0028 + found.apart / (2 * fade_frames));
     }
     CHECK(switches >= 3);
@@ -285,7 +286,7 @@ TEST_CASE("stability, frame by frame: a sky that follows its plan changes plans 
 TEST_CASE("stability, frame by frame: one model gives way to another underway, and nothing jumps" *
           doctest::test_suite("long")) {
     // Within so little that simpler models do for a part of a flight. Which, and where, is the planner's table's to say.
-    for (const double tolerance : {1.0, 1.5, 2.0, 3.0, 5.0, 0.7, 0.5})
+    for (const double tolerance : {0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 5.0})
         for (const Flight& flight : flights) {
             const Course course = course_of(flight, tolerance);
             if (course.models.size() < 2) continue;

@@ -69,21 +69,24 @@ real lowest_altitude(ViewDirection v) {
     return 2 * (bottom_radius() + view.space.x) * (view.horizon.y * half_cosine - view.horizon.x * q) * q;
 }
 
-// Distance at which a camera above the air enters it, 0 inside it, -1 if the ray misses it.
+// Distance at which a camera above the air enters it, 0 inside it, -1 if the ray misses it. The smaller root of
+// t^2 + 2 r mu t + r^2 - T^2 = 0 by the product of both: -r mu less half the chord would be off by a step of r.
 real distance_to_air(ViewDirection v) {
     if (view.camera.w < real(0.5)) return real(0);
     real r = bottom_radius() + view.space.x;
     real lowest = lowest_altitude(v);
     if (v.mu >= 0 || lowest > shell_thickness()) return real(-1);
-    return max(-r * v.mu - half_chord(lowest), real(0));
+    return squares_apart(shell_thickness(), view.space.x) / max(half_chord(lowest) - r * v.mu, real(1e-20));
 }
 
-// Ray in the air for a direction, from where it starts there; its end is for the caller to set.
+// Ray in the air for a direction, from where it starts there; its end is for the caller to set. `nu` of two rounded directions may
+// lie beyond 1, which would move the sun by as much of the way to the air.
 Ray air_ray(ViewDirection v, real entry, int sun, real nu) {
     Ray ray;
     real r = bottom_radius() + view.space.x;
     real top = bottom_radius() + shell_thickness();
     bool space = view.camera.w > real(0.5);
+    nu = clamp(nu, real(-1), real(1));
     ray.altitude = view.camera.x;
     ray.mu = v.mu;
     if (space) ray.mu = entry > 0 ? -half_chord(lowest_altitude(v)) / top : clamp(r * v.mu / top, real(-1), real(1));
@@ -97,7 +100,7 @@ Ray air_ray(ViewDirection v, real entry, int sun, real nu) {
 // The camera's ray through the air, from where it enters it (distance_to_air) to the ground or the top; without length where it
 // misses it.
 Ray camera_air_ray(ViewDirection v, real entry, int sun, real nu) {
-    Ray ray = air_ray(v, max(entry, real(0)), sun, clamp(nu, real(-1), real(1)));
+    Ray ray = air_ray(v, max(entry, real(0)), sun, nu);
     ray.ground = sine_above_horizon(v) < 0;
     ray.end = ray.ground ? distance_to_ground_over(ray.altitude, ray.mu, lowest_altitude(v)) : distance_to_top(ray.altitude, ray.mu);
     if (entry < 0) ray.end = real(0);

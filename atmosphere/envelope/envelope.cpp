@@ -14,7 +14,7 @@ namespace aureole {
 namespace {
 
 /// Read off the sweeps of tests/stability/envelope.cpp; tests/stability/envelope_test.cpp holds the models to it.
-constexpr std::array<EnvelopeLimit, 7> limits{{
+constexpr std::array<EnvelopeLimit, 8> limits{{
     {1e3, 1e9, "errors above 1 % near the horizon and in twilight: a step of a direction in float is hundreds of metres there"},
     {0, 1.5, "errors up to 12 % near the horizon as seen from space: rays are thousands of scale heights long"},
     {1, 1e12, "errors that were not measured"},
@@ -23,6 +23,10 @@ constexpr std::array<EnvelopeLimit, 7> limits{{
     {-0.99, 0.99, "errors up to 40 % within a degree of the peak: the cosine of so small an angle has few digits in float"},
     {-1e13, 1e9, "errors above 1 % along the limb: a step of a direction in float is hundreds of metres there"},
     {-9, 90, "steps of 6e-8 of the sun's light, which float tables do not have: the model keeps its sky in half floats"},
+    {0, 90,
+     "errors up to 6 % of dark geometry: the air before it is the difference of two entries of tables in half floats, which "
+     "float "
+     "tables do not lose"},
 }};
 
 /// Collects what is outside. Names are made of that alone.
@@ -86,17 +90,22 @@ std::vector<OutsideEnvelope> outside_envelope(const AtmosphereParameters& parame
 }
 
 std::vector<OutsideEnvelope> outside_envelope(const Planet& planet, const Camera& camera, std::span<const Sun> suns,
-                                              bool half_tables) {
+                                              const InHalfFloats& in_half) {
     Finder finder;
     const double distance = glm::length(camera.position_m);
     finder.check(EnvelopeAxis::altitude_m, distance - planet.bottom_radius_m,
                  [] { return "camera.position_m: altitude in m"; });
-    for (std::size_t i = 0; i < suns.size() && distance > 0 && half_tables; ++i) {
+    for (std::size_t i = 0; i < suns.size() && distance > 0 && (in_half.sky || in_half.difference); ++i) {
         const glm::dvec3& d = suns[i].direction;
         const double sine = glm::dot(camera.position_m / distance, d / std::hypot(d.x, d.y, d.z));
         const double degrees = std::asin(std::clamp(sine, -1.0, 1.0)) * 180 / std::numbers::pi;
-        finder.check(EnvelopeAxis::half_sun_elevation_deg, degrees,
-                     [&] { return detail::element("suns", i) + ".direction: elevation in degrees"; });
+        const std::string_view what = ".direction: elevation in degrees";
+        if (in_half.sky)
+            finder.check(EnvelopeAxis::half_sun_elevation_deg, degrees,
+                         [&] { return detail::element("suns", i).append(what); });
+        if (in_half.difference)
+            finder.check(EnvelopeAxis::half_difference_sun_elevation_deg, degrees,
+                         [&] { return detail::element("suns", i).append(what) + ", of geometry"; });
     }
     return std::move(finder.found);
 }

@@ -18,11 +18,11 @@ Sun sun_at(double elevation_deg) {
     return {.direction = {std::cos(a), 0, std::sin(a)}};
 }
 
-std::vector<OutsideEnvelope> seen(double altitude_m, double elevation_deg, bool half_tables = false) {
+std::vector<OutsideEnvelope> seen(double altitude_m, double elevation_deg, const InHalfFloats& in_half = {}) {
     Camera camera = look(planet.bottom_radius_m, 0, 0, 0, 1, 1);
     camera.position_m = {0, 0, planet.bottom_radius_m + altitude_m};
     const Sun sun = sun_at(elevation_deg);
-    return outside_envelope(planet, camera, {&sun, 1}, half_tables);
+    return outside_envelope(planet, camera, {&sun, 1}, in_half);
 }
 
 /// Its only remark is of this field, and says all there is to say.
@@ -105,11 +105,15 @@ TEST_CASE("envelope: extinction is that of all terms, their scales and tables in
 TEST_CASE("envelope: a camera and suns outside") {
     check_one(seen(1.5e9, 30), "camera.position_m: altitude in m", 1.5e9, EnvelopeAxis::altitude_m);
     CHECK(seen(2, -90).empty());
-    CHECK(seen(2, -8, true).empty());
-    check_one(seen(2, -12, true), "suns[0].direction: elevation in degrees", -12, EnvelopeAxis::half_sun_elevation_deg);
+    CHECK(seen(2, -8, {.sky = true}).empty());
+    CHECK(seen(2, 1, {.sky = true, .difference = true}).empty());
+    check_one(seen(2, -4, {.sky = true, .difference = true}), "suns[0].direction: elevation in degrees, of geometry", -4,
+              EnvelopeAxis::half_difference_sun_elevation_deg);
+    check_one(seen(2, -12, {.sky = true}), "suns[0].direction: elevation in degrees", -12,
+              EnvelopeAxis::half_sun_elevation_deg);
     // Directions of any length.
     Camera camera = look(planet.bottom_radius_m, 2, 0, 0, 1, 1);
     const Sun suns[] = {{.direction = {0, 0, 1e-100}}, {.direction = {0, 1e100, -2e100}}};
-    check_one(outside_envelope(planet, camera, suns, true), "suns[1].direction: elevation in degrees",
+    check_one(outside_envelope(planet, camera, suns, {.sky = true}), "suns[1].direction: elevation in degrees",
               -std::atan(2.0) * 180 / std::numbers::pi, EnvelopeAxis::half_sun_elevation_deg);
 }

@@ -8,10 +8,11 @@
 
 namespace aureole::detail {
 
-/// Warns of each field of `now` that is not in `known`, which then becomes `now`: what stays outside is told once.
-void tell_outside(std::vector<OutsideEnvelope>& known, std::vector<OutsideEnvelope> now);
+/// Warns of each field of `now` that is not in `known`, which then becomes `now`: what stays outside is told once. `told`: by
+/// all that share an air; two views of one camera say the same but once.
+void tell_outside(std::vector<OutsideEnvelope>& known, std::vector<OutsideEnvelope> now, std::vector<OutsideEnvelope>& told);
 
-/// The model keeps the sky that is shown in half floats, with twilight as dark as it is.
-[[nodiscard]] bool keeps_sky_in_half(const Model& model, const AtmosphereParameters& parameters);
+/// What the model keeps in half floats, with twilight as dark as it is: the sky that is shown; tables for geometry.
+[[nodiscard]] InHalfFloats kept_in_half(const Model& model, const AtmosphereParameters& parameters);
 
 }  // namespace aureole::detail

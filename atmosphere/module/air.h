@@ -96,8 +96,9 @@ struct Atmosphere::Impl {
     std::unique_ptr<detail::AirTables> tables;
     std::vector<detail::AirUser*> users;
     std::vector<PassReport> reports;
-    bool half_sky = false;                   // as keeps_sky_in_half says
-    std::vector<OutsideEnvelope> outside{};  // and told
+    InHalfFloats in_half{};  // as kept_in_half says
+    std::vector<OutsideEnvelope> outside{};
+    std::vector<OutsideEnvelope> told{};  // of this air and of its views
 
     void tell();
 };

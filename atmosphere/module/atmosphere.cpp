@@ -170,8 +170,8 @@ Atmosphere::Impl::Impl(rhi::Device& device_in, const AtmosphereParameters& param
 }
 
 void Atmosphere::Impl::tell() {
-    half_sky = detail::keeps_sky_in_half(*model, parameters);
-    detail::tell_outside(outside, outside_envelope(parameters));
+    in_half = detail::kept_in_half(*model, parameters);
+    detail::tell_outside(outside, outside_envelope(parameters), told);
 }
 
 Atmosphere::Atmosphere(rhi::Device& device, const AtmosphereParameters& parameters, const ModelPtr& model)

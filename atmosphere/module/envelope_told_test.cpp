@@ -2,7 +2,9 @@
 #include "passes/rig.h"
 
 #include <aureole/envelope.h>
+#include <aureole/models/bruneton.h>
 #include <aureole/models/hillaire.h>
+#include <aureole/models/single.h>
 #include <aureole/presets.h>
 #include <aureole/rhi/log.h>
 
@@ -87,4 +89,53 @@ TEST_CASE("envelope: a camera outside, and twilight in half floats") {
     CHECK(told(half, 100, -13) == "");
     CHECK(told(half, 100, -5) == "");
     CHECK(count(told(half, 100, -14), "suns[0].direction") == 1);
+}
+
+TEST_CASE("envelope: a dome in half floats is the camera's sky too") {
+    const auto cpu = open_cpu_float();
+    const auto told = [&](rhi::Format format) {
+        Setup setup;
+        models::SingleSettings settings;
+        settings.dome = {.size = {8, 16, 1}, .phase = models::Dome::Phase::in_table, .format = format};
+        setup.model = models::single(settings);
+        Rig rig(*cpu, setup);
+        const std::array suns{sun_at(-12)};
+        return logged([&] { rig.view.update(camera_at(setup.air.planet, 100), suns); });
+    };
+    CHECK(told(rhi::Format::rgba32_float) == "");
+    CHECK(count(told(rhi::Format::rgba16_float), "suns[0].direction: elevation in degrees: -1") == 1);
+}
+
+TEST_CASE("envelope: two views of an air say the same but once, and another value by itself") {
+    const auto cpu = open_cpu_float();
+    const Setup setup;
+    Rig rig(*cpu, setup);
+    View second(rig.air, setup.view, setup.composite);
+    const std::array suns{sun_at(30)};
+    const auto told = [&](View& view, double altitude_m) {
+        return logged([&] { view.update(camera_at(setup.air.planet, altitude_m), suns); });
+    };
+    CHECK(count(told(rig.view, 2e9), "camera.position_m: altitude in m: 2") == 1);
+    CHECK(told(second, 2e9) == "");
+    CHECK(told(rig.view, 10) == "");
+    CHECK(told(second, 10) == "");
+    CHECK(count(told(second, 2e9), "camera.position_m: altitude in m: 2") == 1);
+    CHECK(count(told(rig.view, 4e9), "camera.position_m: altitude in m: 4") == 1);
+}
+
+TEST_CASE("envelope: geometry at dusk by differences of half floats, where there is geometry") {
+    const auto cpu = open_cpu_float();
+    const auto told = [&](rhi::Format format, bool geometry) {
+        Setup setup;
+        models::BrunetonSettings settings;
+        settings.format = format;
+        setup.model = models::bruneton(settings);
+        setup.composite.scene_color = setup.composite.scene_depth = geometry;
+        Rig rig(*cpu, setup);
+        const std::array suns{sun_at(-4)};
+        return logged([&] { rig.view.update(camera_at(setup.air.planet, 100), suns); });
+    };
+    CHECK(count(told(rhi::Format::rgba16_float, true), "suns[0].direction: elevation in degrees, of geometry: -") == 1);
+    CHECK(told(rhi::Format::rgba16_float, false) == "");
+    CHECK(told(rhi::Format::rgba32_float, true) == "");
 }

@@ -165,8 +165,8 @@ struct View::Impl final : detail::AirUser {
     std::unique_ptr<detail::ViewTables> tables, pending;
     detail::ViewBlock block{};
     bool updated = false;
-    bool deep = false;                     // the camera is nearer to the planet's centre than to its ground
-    std::vector<OutsideEnvelope> outside;  // and told
+    bool deep = false;  // the camera is nearer to the planet's centre than to its ground
+    std::vector<OutsideEnvelope> outside;
     bool light_stale = true, block_stale = true, shadows_stale = true;
     ShadowMap shadow_map;
     detail::ShadowBlock shadow_block{};
@@ -185,7 +185,9 @@ void View::update(const Camera& camera, std::span<const Sun> suns) {
     detail::check_count("suns", suns.size(), 0, impl.settings.max_suns);
     impl.use(impl.pack(camera, suns), camera);
     impl.tell_if_deep(camera);
-    detail::tell_outside(impl.outside, outside_envelope(impl.air.parameters.planet, camera, suns, impl.air.half_sky));
+    InHalfFloats in_half = impl.air.in_half;
+    in_half.difference &= impl.composite.scene_depth && impl.settings.aerial_perspective;
+    detail::tell_outside(impl.outside, outside_envelope(impl.air.parameters.planet, camera, suns, in_half), impl.air.told);
     impl.camera = camera;
     impl.suns.assign(suns.begin(), suns.end());
     impl.updated = true;

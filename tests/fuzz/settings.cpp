@@ -137,6 +137,7 @@ ModelPtr fog_of(fuzz::Bytes& bytes) {
 ModelPtr reference_of(fuzz::Bytes& bytes) {
     models::ReferenceSettings s;
     s.show = bytes.choice<models::ReferenceSettings::Show>(2);
+    s.tracking = bytes.choice<models::ReferenceSettings::Tracking>(2);
     s.paths_per_frame = whole(bytes, 0, 65536);
     s.max_paths = whole(bytes, 1, 16777216);
     s.film_width = bytes.integer<std::uint32_t>(0, 16384);

@@ -103,11 +103,11 @@ void tell_worst(const Scene& scene, Subject subject, std::span<const double> err
 
 /// Infinite where there is a number that is none.
 std::vector<double> compare(Observer& observer, Observer& exact, const Scene& scene, Subject subject, bool half) {
-    const std::vector<Rgb> right = exact.look(scene, subject);
+    const Exact right = exact_look(exact, scene, subject, half);
     try {
         const std::vector<Rgb> seen = observer.look(scene, subject);
-        std::vector<double> errors = relative_errors(seen, right, least_light(scene, right, half, subject));
-        if (is_told()) tell_worst(scene, subject, errors, seen, right);
+        std::vector<double> errors = relative_errors(seen, right);
+        if (is_told()) tell_worst(scene, subject, errors, seen, right.here);
         return errors;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());

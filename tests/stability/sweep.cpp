@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <stdexcept>
@@ -204,18 +205,20 @@ double distance_of(const Scene& scene, const glm::dvec3& direction, double in_ai
     return std::max(std::min(ground, -r * direction.z) - in_air_m, entry);
 }
 
+constexpr double step = static_cast<double>(std::numeric_limits<float>::epsilon());
+
 /// Horizon and ground in one picture, or the whole planet where it is small.
-Camera camera_of(const Scene& scene) {
+Camera camera_of(const Scene& scene, double tilt_rad) {
     const double radius = scene.air.planet.bottom_radius_m, h = std::max(scene.altitude_m, 0.0);
     const double from_nadir = std::atan2(radius, std::sqrt(h * (2 * radius + h)));  // of the horizon
     const double fov = std::min(60 * degree, 2.2 * from_nadir);
-    return look(radius, scene.altitude_m, 0.7, std::max(from_nadir - fov / 4, 0.0) - pi / 2, fov,
+    return look(radius, scene.altitude_m, 0.7, std::max(from_nadir - fov / 4, 0.0) - pi / 2 + tilt_rad, fov,
                 static_cast<double>(physics::Picture::width) / physics::Picture::height, 1e-2);
 }
 
 }  // namespace
 
-std::vector<Rgb> Observer::geometry(const Scene& scene) {
+std::vector<Rgb> Observer::geometry(const Scene& scene, int farther, int tilted) {
     if (!picture_ || scene.suns != suns_of_picture_) {
         suns_of_picture_ = scene.suns;
         picture_.reset();
@@ -223,20 +226,18 @@ std::vector<Rgb> Observer::geometry(const Scene& scene) {
     } else {
         picture_->air().set_parameters(scene.air);
     }
-    picture_->place(camera_of(scene), scene.all_suns());
+    picture_->place(camera_of(scene, 0), scene.all_suns());
     std::vector<double> distances;
     std::vector<Rgb> colors;
     for (std::uint32_t y = 0; y < physics::Picture::height; ++y)
         for (std::uint32_t x = 0; x < physics::Picture::width; ++x) {
             constexpr double in_air_m[] = {10, 300, 5e3, 5e4};
-            distances.push_back(distance_of(scene, picture_->direction(x, y), in_air_m[x % 4]));
+            const double distance = distance_of(scene, picture_->direction(x, y), in_air_m[x % 4]);
+            distances.push_back(distance * (1 + farther * step));
             colors.push_back(is_black(colors.size()) ? Rgb(0) : Rgb(0.05 * scene.irradiance));
         }
+    if (tilted != 0) picture_->place(camera_of(scene, tilted * step), scene.all_suns());
     return picture_->render(distances, colors);
-}
-
-std::vector<Rgb> Observer::look(const Scene& scene, Subject subject) {
-    return subject == Subject::sky ? sky(scene) : geometry(scene);
 }
 
 std::vector<Rgb> Observer::sky(const Scene& scene) {
@@ -254,28 +255,60 @@ std::vector<Rgb> Observer::sky(const Scene& scene) {
     return sky_->radiance(scene.views());
 }
 
-double least_light(const Scene& scene, std::span<const Rgb> exact, bool half_tables, Subject subject) {
+namespace {
+
+/// What the sun's beam gives level ground of reflectance 1, 1/sr, through the air above it.
+double beam_on_ground(const Scene& scene) {
+    const double sine = std::sin(scene.sun_elevation_deg * degree);
+    if (sine <= 0) return 0;
+    const Rgb depth = vertical_optical_depth(scene.air);
+    return scene.irradiance * sine / pi * std::exp(-std::min({depth.r, depth.g, depth.b}) / sine);
+}
+
+double mean_away_from_suns(const Scene& scene, std::span<const Rgb> sky) {
     const std::vector<glm::dvec3> views = scene.views();
     double sum = 0, count = 0;
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-        if (subject == Subject::geometry) {
-            if (is_black(i)) sum += physics::sum(exact[i]) / 3, ++count;
-            continue;
-        }
+    for (std::size_t i = 0; i < sky.size(); ++i) {
         bool near_sun = false;
         for (const Sun& sun : scene.all_suns())
             near_sun = near_sun || glm::dot(views[i], sun.direction) > std::cos(10 * degree + sun.angular_radius_rad);
-        if (!near_sun) sum += physics::sum(exact[i]) / 3, ++count;
+        if (!near_sun) sum += physics::sum(sky[i]) / 3, ++count;
     }
-    const double step = half_tables ? 6e-8 : 0;
-    return std::max({1e-3 * sum / std::max(count, 1.0), (1e-12 + 100 * step) * scene.irradiance, 1e-300});
+    return sum / std::max(count, 1.0);
 }
 
-std::vector<double> relative_errors(std::span<const Rgb> seen, std::span<const Rgb> exact, double least) {
+void widen(Exact& exact, std::span<const Rgb> other) {
+    for (std::size_t i = 0; i < other.size(); ++i) {
+        exact.least[i] = glm::min(exact.least[i], other[i]);
+        exact.most[i] = glm::max(exact.most[i], other[i]);
+    }
+}
+
+}  // namespace
+
+Exact exact_look(Observer& in_double, const Scene& scene, Subject subject, bool half_tables) {
+    const std::vector<Rgb> sky = in_double.look(scene);
+    const double mean = mean_away_from_suns(scene, sky), steps = half_tables ? 100 * 6e-8 : 0;
+    Exact exact{sky, sky, sky, 1e-3 * mean};
+    if (subject == Subject::geometry) {
+        exact.here = exact.least = exact.most = in_double.look(scene, subject);
+        for (const int one : {-1, 1}) {
+            widen(exact, in_double.geometry(scene, 2 * one));
+            widen(exact, in_double.geometry(scene, 0, one));
+        }
+        exact.least_light = 0.04 * (mean + beam_on_ground(scene));
+    }
+    exact.least_light = std::max({exact.least_light, (1e-12 + steps) * scene.irradiance, 1e-300});
+    return exact;
+}
+
+std::vector<double> relative_errors(std::span<const Rgb> seen, const Exact& exact) {
     std::vector<double> errors;
-    for (std::size_t i = 0; i < exact.size(); ++i) {
+    for (std::size_t i = 0; i < seen.size(); ++i) {
         double worst = 0;
-        for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(seen[i][c] - exact[i][c]) / std::max(exact[i][c], least));
+        for (int c = 0; c < 3; ++c)
+            worst = std::max(worst, std::max(seen[i][c] - exact.most[i][c], exact.least[i][c] - seen[i][c]) /
+                                        std::max(exact.here[i][c], exact.least_light));
         errors.push_back(worst);
     }
     return errors;

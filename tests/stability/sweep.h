@@ -65,11 +65,14 @@ class Observer {
 public:
     Observer(physics::Machine& machine, ModelPtr model) : machine_(machine), model_(std::move(model)) {}
     /// Radiance of the scene's views, or of a picture's pixels. Throws what the library does, and where one is not finite.
-    [[nodiscard]] std::vector<Rgb> look(const Scene& scene, Subject subject = Subject::sky);
+    [[nodiscard]] std::vector<Rgb> look(const Scene& scene, Subject subject = Subject::sky) {
+        return subject == Subject::sky ? sky(scene) : geometry(scene);
+    }
+    /// Geometry so many steps of a float farther away, by a camera tilted by so many.
+    [[nodiscard]] std::vector<Rgb> geometry(const Scene& scene, int farther = 0, int tilted = 0);
 
 private:
     [[nodiscard]] std::vector<Rgb> sky(const Scene& scene);
-    [[nodiscard]] std::vector<Rgb> geometry(const Scene& scene);
 
     physics::Machine& machine_;
     ModelPtr model_;
@@ -79,13 +82,21 @@ private:
     bool sun_disk_ = false;
 };
 
-/// Light that errors are relative to where there is less: a thousandth of the picture's mean away from the sun, ten stops below
-/// what an exposure is made for; a thousandth of a night without a moon (1e-9 of the sun's); and with tables of half floats a
-/// hundred of their smallest steps (6e-8 of the sun's), of which one is a per cent. Of geometry the mean is that of the air's
-/// own light, before what is black.
-[[nodiscard]] double least_light(const Scene& scene, std::span<const Rgb> exact, bool half_tables,
-                                 Subject subject = Subject::sky);
+/// What a model in float is compared with. Of geometry all that it may be by a distance and by directions in float: from two
+/// steps nearer to two steps farther, of 64 m at 10^6 km (the depth buffer's own, and that of what is worked out from it), and
+/// from a step (1.2e-7 rad, less than a thousandth of a pixel) lower to a step higher.
+struct Exact {
+    std::vector<Rgb> here, least, most;
+    /// Errors are relative to `here`, or to this where there is less.
+    double least_light = 0;
+};
+
+/// By the model in double. Less light than this is not looked at closely, of the sky: a thousandth of its mean away from the
+/// sun, ten stops below what an exposure is made for. Of geometry: what coal sends, of reflectance 0.04, in that sky and in the
+/// beam of the sun. Of both: a thousandth of a night without a moon (1e-9 of the sun's); and with tables of half floats a
+/// hundred of their smallest steps (6e-8 of the sun's), of which one is a per cent.
+[[nodiscard]] Exact exact_look(Observer& in_double, const Scene& scene, Subject subject, bool half_tables);
 /// Of each view, in the channel where it is largest.
-[[nodiscard]] std::vector<double> relative_errors(std::span<const Rgb> seen, std::span<const Rgb> exact, double least);
+[[nodiscard]] std::vector<double> relative_errors(std::span<const Rgb> seen, const Exact& exact);
 
 }  // namespace aureole::stability

@@ -27,6 +27,13 @@ enum class EnvelopeAxis : std::uint8_t {
     g,                       ///< Of any phase function by a formula.
     altitude_m,              ///< Of the camera.
     half_sun_elevation_deg,  ///< Above the camera's horizontal, for models that keep the camera's sky in half floats.
+    half_difference_sun_elevation_deg,  ///< The same, of geometry whose air is a difference of entries of tables in half
+                                        ///< floats: by `bruneton`.
+};
+/// What of a view is kept in half floats, in which twilight ends.
+struct InHalfFloats {
+    bool sky = false;         ///< The camera's.
+    bool difference = false;  ///< Tables of which two entries' difference is the air before geometry.
 };
 struct EnvelopeLimit {
     double least = 0, greatest = 0;
@@ -45,9 +52,8 @@ struct OutsideEnvelope {
 };
 /// Of an air that `validate` accepts. Empty: all inside.
 [[nodiscard]] std::vector<OutsideEnvelope> outside_envelope(const AtmosphereParameters& parameters);
-/// Of a camera and suns that `validate` accepts, at this planet. `half_tables`: the model keeps the camera's sky in half
-/// floats, in which twilight ends. Nothing is allocated where all is inside.
+/// Of a camera and suns that `validate` accepts, at this planet. Nothing is allocated where all is inside.
 [[nodiscard]] std::vector<OutsideEnvelope> outside_envelope(const Planet& planet, const Camera& camera,
-                                                            std::span<const Sun> suns, bool half_tables = false);
+                                                            std::span<const Sun> suns, const InHalfFloats& in_half = {});
 
 }  // namespace aureole

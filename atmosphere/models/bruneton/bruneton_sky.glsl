@@ -12,6 +12,7 @@ SAMPLER_2D(4, irradiance_table)
 SAMPLER_2D(11, view_table)
 SAMPLER_2D(17, view_depth_table)
 
+#include "common/slab.glsl"
 #include "common/view_ray.glsl"
 #include "models/bruneton/bruneton_rays.glsl"
 #include "models/bruneton/bruneton_view_table.glsl"
@@ -52,7 +53,26 @@ vec3 sky_radiance(vec3 direction, ViewDirection v, vec3 beyond) {
     return sky_from_air(direction, v, beyond);
 }
 
-// The difference of two look-ups: of the whole ray, and of what is left of it behind the point. It needs no place on the screen.
+// The rest of a ray behind a point on it.
+Ray ray_behind(Ray ray, real t) {
+    Ray on = ray;
+    on.altitude = min(altitude_after(ray.altitude, ray.mu, t), shell_thickness());
+    on.mu = view_mu_after(ray, t, on.altitude);
+    on.mu_s = sun_mu_after(ray, t, on.altitude);
+    on.end = ray.end - t;
+    return on;
+}
+
+// A beginning of the ray that is long enough for its light to be more than what two look-ups are off by, and so short that its air
+// and what lights it are nearly even.
+real even_length(Ray ray) {
+    real t = ray.end / 64;
+    vec3 depth = dark_depth(ray, real(0), t, !ray.ground);
+    return t * min(real(0.0625) / max(max(depth.x, max(depth.y, depth.z)), real(1e-20)), real(1));
+}
+
+// The difference of two look-ups: of the whole ray, and of what is left of it behind the point. It needs no place on the screen. Nearer
+// than even_length() it is that length's, by the shares of even air: there the two would be nearly the same.
 AerialPerspective aerial_perspective(real, real, real distance_km, vec3 direction) {
     ViewDirection v = view_direction(direction);
     real entry = distance_to_air(v);
@@ -62,14 +82,13 @@ AerialPerspective aerial_perspective(real, real, real distance_km, vec3 directio
     for (int sun = 0; sun < SUN_COUNT; ++sun) {
         Ray ray = camera_air_ray(v, entry, sun, dot(direction, vec3(view.sun_direction[sun])));
         real t = min(distance_km, ray.end);
-        Ray on = ray;
-        on.altitude = min(altitude_after(ray.altitude, ray.mu, t), shell_thickness());
-        on.mu = view_mu_after(ray, t, on.altitude);
-        on.mu_s = sun_mu_after(ray, t, on.altitude);
-        on.end = ray.end - t;
+        real on_t = max(t, even_length(ray));
         result.transmittance = exp(-dark_depth(ray, real(0), t, !ray.ground));
-        result.radiance += vec3(view.sun_irradiance[sun]) *
-                           air_radiance_before(scattering_place(ray), scattering_place(on), result.transmittance, ray.nu);
+        vec3 depth = dark_depth(ray, real(0), on_t, !ray.ground);
+        real share = on_t > 0 ? t / on_t : real(1);
+        vec3 of_it = share * mean_transmittance(share * depth) / mean_transmittance(depth);
+        result.radiance += of_it * vec3(view.sun_irradiance[sun]) *
+                           air_radiance_before(scattering_place(ray), scattering_place(ray_behind(ray, on_t)), exp(-depth), ray.nu);
     }
     return result;
 }

@@ -34,6 +34,11 @@ set(AUREOLE_KERNEL_OPTIONS -O2 -ffp-contract=off -fno-math-errno)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     list(APPEND AUREOLE_KERNEL_OPTIONS -Wno-maybe-uninitialized)
 endif()
+# The kernel language has no pointers, no objects of a derived class and no null: what looks for faults of them finds none in a
+# kernel, and is a third of the time that a kernel takes to compile. A place outside of a texture or an array is still found.
+if(AUREOLE_SANITIZE MATCHES "undefined")
+    list(APPEND AUREOLE_KERNEL_OPTIONS -fno-sanitize=null,alignment,object-size,vptr,pointer-overflow)
+endif()
 
 function(aureole_add_shaders target)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "INCLUDE_DIRS;KERNELS")

@@ -1,8 +1,10 @@
-# aureole_add_test(<name> SOURCES <file>... [LIBS <target>...] [INCLUDE_DIRS <dir>...] [LABELS <label>...] [TIMEOUT <seconds>])
+# aureole_add_test(<name> SOURCES <file>... [LIBS <target>...] [INCLUDE_DIRS <dir>...] [LABELS <label>...] [TIMEOUT <seconds>]
+#                  [COST <seconds>])
 #
 # A doctest program <name> (one shared main: tests/doctest_main.cpp) that ctest runs under the same name. It sees the src/
 # folder of the directory it is made in. ctest calls it in that program's own empty working folder. With sanitizers, programs
 # labelled `vulkan` (they open a driver) or `slow` are neither run nor part of the default build: to be built by name.
+# COST: about what a long one takes. ctest starts tests with the highest cost first, so that none runs alone at the end.
 find_package(doctest 2.4 REQUIRED)
 
 # Compiled once: doctest's own implementation is by far the slowest part of a test program.
@@ -11,7 +13,7 @@ target_link_libraries(aureole_doctest_main PUBLIC doctest::doctest)
 target_compile_features(aureole_doctest_main PUBLIC cxx_std_20)
 
 function(aureole_add_test name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "SOURCES;LIBS;INCLUDE_DIRS;LABELS")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT;COST" "SOURCES;LIBS;INCLUDE_DIRS;LABELS")
     if(arg_UNPARSED_ARGUMENTS OR NOT arg_SOURCES)
         message(FATAL_ERROR "aureole_add_test(${name}): SOURCES is missing or arguments are unknown: ${arg_UNPARSED_ARGUMENTS}")
     endif()
@@ -33,7 +35,10 @@ function(aureole_add_test name)
     if(NOT arg_TIMEOUT)
         set(arg_TIMEOUT 300)
     endif()
-    set_tests_properties(${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}")
+    if(NOT arg_COST)
+        set(arg_COST 0)
+    endif()
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} COST ${arg_COST} LABELS "${arg_LABELS}")
 endfunction()
 
 # aureole_skip_without_vulkan(<test>...): ctest says "Skipped" where a test found no device or no validation layer and therefore

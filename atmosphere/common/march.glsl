@@ -42,23 +42,83 @@ RayMap piece_map(Ray ray, real t0, real t1, bool dense_end) {
     return ray_map(t1 - t0, h, abs(view_mu_after(ray, t, h)), decay, dense_end ? real(0) : extinction);
 }
 
-// One smooth piece [t0, t1] of the ray, after what `light` has gathered already.
-void march_piece(Ray ray, real t0, real t1, bool dense_end, bool lit, INOUT(RayLight) light) {
-    RayMap map = piece_map(ray, t0, t1, dense_end);
-    LOCAL_ARRAY(real, density, RAY_NODES * (TERM_COUNT + 1), MAX_NODES * (MAX_TERMS + 1))  // times dt/du
+// Behind so many optical depths of a piece nothing is seen beside what it shows itself: 3e-4 of it, and that is not lost but taken to
+// be as the rest (see the share of what a piece catches, below).
+CONST(real, OPAQUE_DEPTH, real(8))
+// A channel that is so deep shows nothing any more; and of a piece that is so deep the nodes may see too little.
+CONST(real, UNSEEN_DEPTH, real(64))
+CONST(int, MOST_CUTS, 3)
 
-    vec3 whole = vec3(real(0));
-    for (int j = 0; j < RAY_NODES; ++j) {
+// Least and greatest optical depth of a piece in the channels that still show anything, `before` being the depths in front of it.
+vec2 shown_depths(vec3 depth, vec3 before) {
+    real least = real(1e30);
+    real most = real(0);
+    for (int c = 0; c < 3; ++c) {
+        if (before[c] > UNSEEN_DEPTH) continue;
+        least = min(least, depth[c]);
+        most = max(most, depth[c]);
+    }
+    return vec2(min(least, most), most);
+}
+// 1 where all of these channels are opaque, or one of them too deep for the nodes; in proportion to the depths.
+real opacity(vec3 depth, vec3 before) {
+    vec2 shown = shown_depths(depth, before);
+    return max(shown.x / OPAQUE_DEPTH, shown.y / UNSEEN_DEPTH);
+}
+
+// Where a piece whose far end is dense becomes opaque (t1 if it does not), by the air at its nodes and at its ends: between two of
+// them it is taken to be no denser than at the thinner. Found along straight lines, so that it moves steadily with the ray.
+real opaque_distance(Ray ray, real t0, real t1, RayMap map, vec3 before) {
+    real t = t0;
+    vec3 extinction = vec3(real(0));
+    vec3 depth = vec3(real(0));
+    real so_far = real(0);
+    for (int k = 0; k < RAY_NODES + 2; ++k) {  // the beginning, the nodes from there on, the end
+        real next_t = k == 0 ? t0 : t1;
+        if (k > 0 && k <= RAY_NODES) next_t -= map_distance(map, quadrature.node[RAY_NODES - k].x);
         COUNT(1);
-        real u = quadrature.node[j].x;
-        real s = map_distance(map, u);
-        real rate = map_rate(map, u);
-        real h = altitude_after(ray.altitude, ray.mu, dense_end ? t1 - s : t0 + s);
-        for (int i = 0; i < TERM_COUNT; ++i) {
-            real d = term_density(i, h) * rate;
-            density[j * (TERM_COUNT + 1) + i] = d;
-            whole += (d * quadrature.node[j].y) * vec3(atm.term_extinction[i]);
+        vec3 next_extinction = medium_extinction(altitude_after(ray.altitude, ray.mu, next_t));
+        depth += min(extinction, next_extinction) * (next_t - t);
+        real reached = opacity(depth, before);
+        if (reached > 1) return t + (next_t - t) * (1 - so_far) / (reached - so_far);
+        t = next_t;
+        extinction = next_extinction;
+        so_far = reached;
+    }
+    return t1;
+}
+
+// One smooth piece [t0, t1] of the ray, after what `light` has gathered already. Where its nodes lie towards its far end, and may all
+// be behind what is seen, it is cut there: t1 comes back as its new end, or, where nothing behind it is seen, as it was, and
+// `opaque` is true.
+void march_piece(Ray ray, real t0, INOUT(real) t1, bool dense_end, bool lit, INOUT(RayLight) light, INOUT(bool) opaque) {
+    LOCAL_ARRAY(real, density, RAY_NODES * (TERM_COUNT + 1), MAX_NODES * (MAX_TERMS + 1))  // times dt/du
+    real uncut = t1;
+    vec3 uncut_depth = vec3(real(0));
+    vec3 whole = vec3(real(0));
+    RayMap map;
+    for (int cut = 0; cut <= MOST_CUTS; ++cut) {
+        map = piece_map(ray, t0, t1, dense_end);
+        // The more of the piece is hidden, the less of a scale height is left: what falls within it is the light, from its thin end.
+        if (cut > 0) map.linear = mix(real(1), map.linear, (t1 - t0) / (uncut - t0));
+        whole = vec3(real(0));
+        for (int j = 0; j < RAY_NODES; ++j) {
+            COUNT(1);
+            real u = quadrature.node[j].x;
+            real s = map_distance(map, u);
+            real rate = map_rate(map, u);
+            real h = altitude_after(ray.altitude, ray.mu, dense_end ? t1 - s : t0 + s);
+            for (int i = 0; i < TERM_COUNT; ++i) {
+                real d = term_density(i, h) * rate;
+                density[j * (TERM_COUNT + 1) + i] = d;
+                whole += (d * quadrature.node[j].y) * vec3(atm.term_extinction[i]);
+            }
         }
+        if (cut == 0) uncut_depth = whole;
+        if (!dense_end || cut == MOST_CUTS || opacity(whole, light.depth) <= 1) break;
+        real end = opaque_distance(ray, t0, t1, map, light.depth);
+        if (end >= t1) break;
+        t1 = end;
     }
 
     vec3 single[MAX_PHASES];
@@ -109,10 +169,12 @@ void march_piece(Ray ray, real t0, real t1, bool dense_end, bool lit, INOUT(RayL
     if (SINGLE_SCATTERING)
         for (int c = 0; c < PHASE_COUNT; ++c) light.single[c] += share * single[c];
     if (MULTIPLE_SCATTERING) light.multiple += share * multiple;
-    light.depth += whole;
+    opaque = t1 < uncut && shown_depths(whole, light.depth).x >= real(0.9) * OPAQUE_DEPTH;
+    light.depth += opaque ? uncut_depth : whole;
+    if (opaque) t1 = uncut;
 }
 
-// The whole ray, cut at its lowest point and at the edges of the shadow.
+// The whole ray, cut at its lowest point, at the edges of the shadow, and where air far ahead hides what is behind it.
 RayLight march(Ray ray) {
     RayLight light = no_light();
     real lowest = ray.ground ? ray.end : clamp(-(bottom_radius() + ray.altitude) * ray.mu, real(0), ray.end);
@@ -126,14 +188,15 @@ RayLight march(Ray ray) {
     // Most rays are one piece, and a vectorizing driver leaves a loop only at its end: a test at the start alone would cost an
     // empty round. Rays leave this loop at different rounds, so it keeps a second exit: where such a loop has one exit only, at
     // its end, llvmpipe 22.3 lets the rays that left early take over sums of the rays that stayed.
-    for (int piece = 0; piece < 4; ++piece) {
+    bool opaque = false;
+    for (int piece = 0; piece < 7; ++piece) {  // of the four between the cuts, a channel each may end one early
         real end = ray.end;
         if (cut3 > begin + shortest) end = cut3;
         if (cut2 > begin + shortest) end = cut2;
         if (cut1 > begin + shortest) end = cut1;
         real middle = real(0.5) * (begin + end);
         bool lit = middle < shadow.x || middle > shadow.y;
-        if (MULTIPLE_SCATTERING || lit) march_piece(ray, begin, end, middle < lowest, lit, light);
+        if ((MULTIPLE_SCATTERING || lit) && !opaque) march_piece(ray, begin, end, middle < lowest, lit, light, opaque);
         else light.depth += dark_depth(ray, begin, end, middle >= lowest);
         begin = end;
         if (begin >= ray.end - shortest) break;

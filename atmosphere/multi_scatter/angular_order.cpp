@@ -32,7 +32,7 @@ int angular_order_for(const AtmosphereParameters& parameters, int most) {
     int order = 0;
     for (const int next : {2, 4, 6, 8}) {
         const auto first = static_cast<std::size_t>(order) + 1;
-        if (next > most || std::max(moments[first], moments[first + 1]) < negligible_moment) break;
+        if (next > most || std::max(moments[first], moments[first + 1]) < negligible_moment(most)) break;
         order = next;
     }
     return order;

@@ -281,21 +281,24 @@ std::vector<PassCosts> pass_costs(Backend& backend, std::span<const CostSubject>
     const Scenes scenes(backend, options);
     std::vector<std::unique_ptr<Subject>> running;
     for (const CostSubject& subject : subjects) running.push_back(open(backend, options, scenes, subject));
-    for (const CostRound& round : options.known)
-        for (std::size_t i = 0; i < running.size(); ++i) running[i]->keep(round.at(i));
-    const auto known = static_cast<std::uint32_t>(std::min<std::size_t>(options.known.size(), options.frames));
-    const std::uint32_t rounds = known < options.frames ? options.frames - known + options.warm_up : 0;
+    std::vector<std::uint32_t> missing(running.size(), options.frames);
+    for (std::size_t i = 0; i < options.known.size(); ++i) {
+        for (const CostRound& round : options.known[i]) running.at(i)->keep(round);
+        missing.at(i) -= static_cast<std::uint32_t>(std::min<std::size_t>(options.known[i].size(), options.frames));
+    }
+    const std::uint32_t most = running.empty() ? 0 : std::ranges::max(missing);
+    const std::uint32_t rounds = most > 0 ? most + options.warm_up : 0;
     for (std::uint32_t round = 0; round < rounds; ++round) {
         // Each after another one in each round: what the one before leaves in caches hits all alike.
         const bool features = (round + options.warm_up) % 2 == 0;  // of those that count the first, the third ...
-        CostRound times(running.size());
         for (std::size_t i = 0; i < running.size(); ++i) {
             const std::size_t turn = (i + round) % running.size(), next = round % 2 == 0 ? turn : running.size() - 1 - turn;
-            times[next] = running[next]->run(round, features);
-        }
-        if (round >= options.warm_up) {
-            for (std::size_t i = 0; i < running.size(); ++i) running[i]->keep(times[i]);
-            if (options.after_measured) options.after_measured(times);
+            if (missing[next] == 0) continue;
+            const CostRound times = running[next]->run(round, features);
+            if (round < options.warm_up) continue;
+            running[next]->keep(times);
+            --missing[next];
+            if (options.after_measured) options.after_measured(next, times);
         }
         after_round();
     }

@@ -25,8 +25,8 @@ struct CostSubject {
     ModelPtr model;
 };
 
-/// What one round took: of each subject every pass, in milliseconds.
-using CostRound = std::vector<std::vector<PassTime>>;
+/// What one round of a subject took: every pass, in milliseconds.
+using CostRound = std::vector<PassTime>;
 /// Of one subject: its passes' work by name.
 using CostCounts = std::map<std::string, rhi::CpuCounts>;
 
@@ -44,9 +44,11 @@ struct PassCostOptions {
     bool counts = true;                                   ///< Also count the passes' work, with a run on the CPU backend.
     bool composites = true;                               ///< Count composites too.
     std::uint32_t counted_width = 0, counted_height = 0;  ///< Of the composite that is counted; 0: as measured.
-    /// Rounds that an earlier run has measured of the same subjects: they count, and so many fewer are run.
-    std::vector<CostRound> known{};
-    std::function<void(const CostRound&)> after_measured{};  ///< Told of each round that is run and counts.
+    /// By subject, as many as there are, or none: rounds that an earlier run has measured; they count, and so many fewer are
+    /// run.
+    std::vector<std::vector<CostRound>> known{};
+    /// Told of each round of a subject that is run and counts, as soon as it has been.
+    std::function<void(std::size_t subject, const CostRound&)> after_measured{};
     /// The same of what has been counted: of the first subjects.
     std::vector<CostCounts> known_counts{};
     std::function<void(const CostCounts&)> after_counted{};

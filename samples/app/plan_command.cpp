@@ -202,7 +202,7 @@ void print_measured(const Plan& plan, const PlanCost& measured) {
 /// Errors were measured of airs and places that float can tell: no plan knows of others.
 void tell_outside(const PlanRequirements& needs) {
     const Planet& planet = needs.air.planet;
-    const Camera highest = look(planet.bottom_radius_m, needs.altitude_m.most, 0, 0, 1, 1);
+    const Camera highest = aureole::look(planet.bottom_radius_m, needs.altitude_m.most, 0, 0, 1, 1);
     for (const OutsideEnvelope& one : outside_envelope(needs.air)) log()->warn("{}", one.text());
     for (const OutsideEnvelope& one : outside_envelope(planet, highest, {})) log()->warn("{}", one.text());
 }

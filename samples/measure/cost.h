@@ -14,10 +14,10 @@ namespace aureole::app {
 struct CostOptions {
     std::uint32_t width = detail::measured_width, height = detail::measured_height;  ///< Of the composite, pixels.
     std::uint32_t rounds = 20;                                                       ///< Measured, at least 1.
-    std::uint32_t warm_up = 2;       ///< Rounds before them that are thrown away.
-    bool features = false;           ///< As PassCostOptions has it.
-    std::vector<CostRound> known{};  ///< As PassCostOptions has them.
-    std::function<void(const CostRound&)> after_measured{};
+    std::uint32_t warm_up = 2;                    ///< Rounds before them that are thrown away.
+    bool features = false;                        ///< As PassCostOptions has it.
+    std::vector<std::vector<CostRound>> known{};  ///< As PassCostOptions has them.
+    std::function<void(std::size_t subject, const CostRound&)> after_measured{};
     std::vector<CostCounts> known_counts{};
     std::function<void(const CostCounts&)> after_counted{};
 };

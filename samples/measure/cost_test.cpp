@@ -108,8 +108,10 @@ TEST_CASE("costs: the work of another air is foretold by the settings that it ge
         CAPTURE(subjects[i].label);
         const detail::TableWork work = detail::table_work(*model, subjects[i].air);
         const auto ratio = [&](std::uint64_t a, std::uint64_t b) { return static_cast<double>(a) / static_cast<double>(b); };
-        if (subjects[i].label != "us_standard_1976")  // look-ups of a profile are many, and cheap
-            CHECK(work.rebuild / earth.rebuild == doctest::Approx(reads(i) / reads(0)).epsilon(0.15).scale(1e-300));
+        const double within =
+            subjects[i].label == "thick haze" ? 0.25 : 0.15;  // an opaque ray is cut, and its nodes placed again
+        if (subjects[i].label != "us_standard_1976")          // look-ups of a profile are many, and cheap
+            CHECK(work.rebuild / earth.rebuild == doctest::Approx(reads(i) / reads(0)).epsilon(within).scale(1e-300));
         CHECK(work.air_memory / earth.air_memory ==
               doctest::Approx(ratio(found[i].air_bytes, found[0].air_bytes)).epsilon(0.02).scale(1e-300));
     }
@@ -154,26 +156,30 @@ TEST_CASE("costs: errors name the subject") {
 
 TEST_CASE("costs: rounds of an earlier run count, and only what is missing is run") {
     const auto backend = open_backend({.name = "cpu"});
-    const std::vector<CostSubject> subjects{{"low", presets::earth(), models::aureole(QualitySettings::low())}};
-    std::vector<CostRound> measured;
+    const ModelPtr low = models::aureole(QualitySettings::low());
+    const std::vector<CostSubject> subjects{{"low", presets::earth(), low}, {"low on Mars", presets::mars(), low}};
+    std::vector<CostRound> measured[2];
     CostOptions options = quick();
     options.rounds = 2;
-    options.after_measured = [&](const CostRound& round) { measured.push_back(round); };
+    options.after_measured = [&](std::size_t subject, const CostRound& round) { measured[subject].push_back(round); };
     (void)costs(*backend, subjects, options);
-    REQUIRE(measured.size() == 2);
-    for (CostRound& round : measured)
-        for (PassTime& time : round.at(0))
+    REQUIRE(measured[0].size() == 2);
+    REQUIRE(measured[1].size() == 2);
+    for (CostRound& round : measured[0])
+        for (PassTime& time : round)
             if (time.name == "composite") time.milliseconds = 1e6;
-    options.known = measured;
+    measured[1].pop_back();  // as if it had been stopped between the two
+    options.known = {measured[0], measured[1]};
     options.rounds = 3;
-    int run = 0;
-    options.after_measured = [&](const CostRound&) { ++run; };
+    int run[2] = {0, 0};
+    options.after_measured = [&](std::size_t subject, const CostRound&) { ++run[subject]; };
     const std::vector<Cost> found = costs(*backend, subjects, options);
-    CHECK(run == 1);
+    CHECK(run[0] == 1);
+    CHECK(run[1] == 2);
     CHECK(found.at(0).composite_ms.median == 1e6);
     CHECK(found.at(0).composite_ms.p10 < 1e6);
-    options.rounds = 2;
-    run = 0;
+    options.rounds = 1;
+    run[0] = run[1] = 0;
     CHECK(costs(*backend, subjects, options).at(0).per_frame_ms.median > 1e6);
-    CHECK(run == 0);
+    CHECK(run[0] + run[1] == 0);
 }

@@ -51,8 +51,8 @@ def main():
         kills += 1
         if time.monotonic() > end:
             sys.exit(f'killed {kills} times and still not done after {MINUTES} minutes')
-    # A look as it runs, in double and as fine as it gets of each of two settings, two rounds, two counts.
-    if kills < 8:
+    # A look as it runs, in double and as fine as it gets and two rounds and a count of its costs, of each of two settings.
+    if kills < 10:
         sys.exit(f'killed only {kills} times: too little is kept on the way')
     if measured(whole) != measured(killed):
         sys.exit('the interrupted runs measured something else')

@@ -5,6 +5,8 @@
 
 #include <aureole/rhi/error.h>
 
+#include <algorithm>
+
 namespace aureole::app {
 namespace {
 
@@ -58,13 +60,14 @@ std::vector<CostSubject> subjects_of(const Suite& suite, const SuiteAir& air) {
     return subjects;
 }
 
-/// Rounds that have been measured, and what has been counted, in a file that grows with each.
+/// Rounds of each subject that have been measured, and what has been counted, in a file that grows with each.
 class KeptRounds {
 public:
-    KeptRounds(std::filesystem::path file, json key) : file_(std::move(file)), key_(std::move(key)) {
+    KeptRounds(std::filesystem::path file, json key, std::size_t subjects) : file_(std::move(file)), key_(std::move(key)) {
         kept_ = std::filesystem::exists(file_) ? json::parse(read_text(file_), nullptr, false) : json();
-        if (!kept_.is_object() || kept_.value("key", json()) != key_)
-            kept_ = {{"key", key_}, {"rounds", json::array()}, {"counts", json::array()}};
+        if (kept_.is_object() && kept_.value("key", json()) == key_ && kept_.value("rounds", json()).size() == subjects) return;
+        kept_ = {{"key", key_}, {"rounds", json::array()}, {"counts", json::array()}};
+        for (std::size_t i = 0; i < subjects; ++i) kept_["rounds"].push_back(json::array());
     }
     [[nodiscard]] std::vector<CostCounts> counts() const {
         std::vector<CostCounts> result;
@@ -79,23 +82,20 @@ public:
         for (const auto& [pass, c] : counts) subject[pass] = {c.evaluations, c.samples, c.fetches, c.stores, c.bytes};
         write();
     }
-    [[nodiscard]] std::vector<CostRound> rounds() const {
-        std::vector<CostRound> result;
-        for (const json& round : kept_.at("rounds")) {
-            CostRound& known = result.emplace_back();
-            for (const json& subject : round) {
-                std::vector<PassTime>& times = known.emplace_back();
-                for (const json& time : subject) times.push_back({time.at(0), time.at(1)});
+    [[nodiscard]] std::vector<std::vector<CostRound>> rounds() const {
+        std::vector<std::vector<CostRound>> result;
+        for (const json& subject : kept_.at("rounds")) {
+            std::vector<CostRound>& known = result.emplace_back();
+            for (const json& round : subject) {
+                CostRound& times = known.emplace_back();
+                for (const json& time : round) times.push_back({time.at(0), time.at(1)});
             }
         }
         return result;
     }
-    void add(const CostRound& round) {
-        json& subjects = kept_["rounds"].emplace_back(json::array());
-        for (const std::vector<PassTime>& times : round) {
-            json& subject = subjects.emplace_back(json::array());
-            for (const PassTime& time : times) subject.push_back({time.name, time.milliseconds});
-        }
+    void add(std::size_t subject, const CostRound& times) {
+        json& round = kept_["rounds"].at(subject).emplace_back(json::array());
+        for (const PassTime& time : times) round.push_back({time.name, time.milliseconds});
         write();
     }
     void remove() { std::filesystem::remove(file_); }
@@ -127,14 +127,15 @@ json measure_costs(const Suite& suite, const MeasureOptions& options, Backend& r
         for (const CostSubject& subject : subjects) key["settings"].push_back(subject.label);
         const std::filesystem::path folder = options.out / "items" / air.name;
         const json results = kept_or(folder / "costs.json", key, [&] {
-            KeptRounds kept(folder / "cost_rounds.json", key);
+            KeptRounds kept(folder / "cost_rounds.json", key, subjects.size());
             CostOptions wanted{
                 .width = options.cost_width, .height = options.cost_height, .rounds = options.cost_rounds, .features = true};
             wanted.known = kept.rounds();
-            wanted.after_measured = [&](const CostRound& round) { kept.add(round); };
+            wanted.after_measured = [&](std::size_t subject, const CostRound& round) { kept.add(subject, round); };
             wanted.known_counts = kept.counts();
             wanted.after_counted = [&](const CostCounts& counts) { kept.add(counts); };
-            std::size_t done = wanted.known.size();
+            std::size_t done = 0;
+            for (const std::vector<CostRound>& known : wanted.known) done = std::max(done, known.size());
             const std::vector<Cost> measured = costs(
                 run, subjects, wanted, [&] { after_round(i * rounds + std::min(++done, rounds), suite.airs.size() * rounds); });
             kept.remove();

@@ -5,6 +5,8 @@
 #include "physics/sky.h"
 #include "physics/worst.h"
 
+#include <aureole/models/single.h>
+
 #include <array>
 #include <cmath>
 
@@ -90,6 +92,31 @@ TEST_CASE("fog: single scattering in it is what quadrature says, up and level, t
             // In 32 rows of altitude; the error of the sun's optical depth counts as a part of that depth.
             CHECK_WORST(worst, 0.006 + 0.024 * depth);
         }
+}
+
+TEST_CASE("fog filling the shell, from just below its top: single scattering is by the law of Lommel and Seeliger") {
+    // A ray down into it is tens to millions of optical depths long; all that is seen comes from the first few.
+    for (const double extinction : {1e-3, 1e-2, 0.1}) {
+        CAPTURE(extinction);
+        AtmosphereParameters air;
+        air.planet.ground_albedo = Rgb(0);
+        const double below_top = 1 / extinction;
+        air.terms = {even_term(Rgb(extinction), Rgb(0), HenyeyGreensteinPhase{0.5})};
+        SkyOptions options;
+        options.model = models::single({});
+        Sky sky(cpu_float(), air, options);
+        const double sun = 60 * degree;
+        sky.stand(air.planet.top_radius_m - air.planet.bottom_radius_m - below_top, sun_at(sun));
+        Worst worst;
+        for (const double down : {0.1, 0.3, 1.0, 3.0, 7.0, 20.0, 50.0, 90.0}) {
+            const glm::dvec3 eye = direction((90 + down) * degree, 90 * degree);
+            const double nu = glm::dot(eye, direction(sun));
+            const double mu = std::sin(down * degree), mu_s = std::cos(sun);
+            const double expected = evaluate(HenyeyGreensteinPhase{0.5}, nu) * std::exp(-1 / mu_s) * mu_s / (mu_s + mu);
+            worst.add(std::abs(sky.radiance(eye).g / expected - 1), down, expected);
+        }
+        CHECK_WORST(worst, 0.01);
+    }
 }
 
 TEST_CASE("fog: what the sky shows at the horizon is what distant geometry fades into, in every colour") {

@@ -114,7 +114,11 @@ TEST_CASE("aureole: an order left to the air is, to the bit, the same order aske
         AtmosphereParameters air;
         int most, least;
     };
-    for (const Case& c : {Case{thin_air(), 4, 0}, {presets::earth(), 4, 2}, {presets::earth(), 8, 4}, {presets::mars(), 4, 4}, {presets::mars(), 2, 2}}) {
+    for (const Case& c : {Case{thin_air(), 4, 0},
+                          {presets::earth(), 4, 2},
+                          {presets::earth(), 8, 4},
+                          {presets::mars(), 4, 4},
+                          {presets::mars(), 2, 2}}) {
         CAPTURE(c.least);
         QualitySettings asked = as_needed(c.most);
         const QualitySettings given = models::aureole(asked)->quality_for(c.air);

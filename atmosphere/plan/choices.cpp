@@ -166,11 +166,16 @@ private:
     }
     [[nodiscard]] std::string why_air_is_drawn() const {
         const std::string seen = "geometry is seen through the air";
-        if (!seen_.bare) return seen + "; what it would err by without was not measured";
+        if (!seen_.bare) return seen + "; what it would err by without " + why_unknown();
         const std::string without = seen + "; without it geometry up to " + reach() + " away would be off by " + off();
         if (!requirements_.tolerance) return without;
         if (seen_.bare->bound > *requirements_.tolerance) return without + ", more than " + percent(*requirements_.tolerance);
         return requirements_.shadows ? without + ", but shadows are seen in it" : without + ", but it is in use";
+    }
+    [[nodiscard]] std::string why_unknown() const {
+        const double farthest_km = bare_distances_km.back();
+        if (requirements_.geometry_range_m <= 1000 * farthest_km) return "was not measured";
+        return "is not known beyond " + with_figures(farthest_km, 3, "km");
     }
     [[nodiscard]] std::string reach() const { return with_figures(requirements_.geometry_range_m / 1000, 3, "km"); }
     /// "1.2 %, below 1.5 %"

@@ -241,6 +241,8 @@ TEST_CASE("plan: a plan without the air before geometry has no froxels, and says
     CHECK(choice.chosen == "left out");
     CHECK(choice.reason.find("geometry up to 0.00100 km away is off by") != std::string::npos);
     CHECK(choice.reason.find("within the tolerance of 30 %: saves") != std::string::npos);
+    CHECK(choice.reason.find("albedo 0.19: what is darker errs by more") != std::string::npos);
+    CHECK(choice.reason.find("view.aerial_perspective = true keeps") != std::string::npos);
     CHECK(choice.cost_otherwise_ms.value() >= 0);
     CHECK(choice.error_otherwise);
     CHECK(std::ranges::find(found.choices, "froxels", &PlanChoice::what) == found.choices.end());

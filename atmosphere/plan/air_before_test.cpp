@@ -281,5 +281,6 @@ TEST_CASE("plan: shadows in the air are bounded by the light that was scattered 
     const Plan shadowed = plan(needs);
     REQUIRE(shadowed.shadows_bound);
     CHECK(shadowed.text().find("error of shadows in the air: below") != std::string::npos);
-    CHECK(choice_of(shadowed, "shadows").reason.find("they err by at most") != std::string::npos);
+    CHECK(shadowed.text().find("for 95 of 100 directions in 95 cases of 100") != std::string::npos);
+    CHECK(choice_of(shadowed, "shadows").reason.find("95 of 100 directions err by at most") != std::string::npos);
 }

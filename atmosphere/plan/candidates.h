@@ -54,8 +54,9 @@ struct Outlook {
 [[nodiscard]] Outlook outlook(const PlanRequirements& requirements, const Predictor& predictor,
                               const std::vector<Situation>& places, bool keep_air = false);
 
-/// Upper bound of what shadows in the air err by, of the light that is there without them; none where it is not known. Light
-/// that was scattered more than once is not shadowed: as if all of it had to be; and what their march errs by.
+/// Upper bound of what shadows in the air err by, of the light that is there without them, in 95 of 100 directions in 95 of
+/// 100 scenes; in [0, 1]; none where it is not known. Light that was scattered more than once is not shadowed: as if all of it
+/// had to be; and what their march errs by.
 [[nodiscard]] std::optional<double> shadows_bound(const PlanRequirements& requirements, const Predictor& predictor,
                                                   const std::vector<Situation>& places);
 

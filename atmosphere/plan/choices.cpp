@@ -141,8 +141,9 @@ private:
 
     [[nodiscard]] std::string shadows_error() const {
         if (!plan_.shadows_bound) return "; what they err by is not known";
-        return "; away from their edges they err by at most " + percent(*plan_.shadows_bound) +
-               " of the unshadowed light, which no tolerance judges: light scattered more than once is not shadowed";
+        return "; away from their edges 95 of 100 directions err by at most " + percent(*plan_.shadows_bound) +
+               " of the unshadowed light, in 95 scenes of 100, which no tolerance judges: light scattered more than "
+               "once is not shadowed";
     }
 
     using Settings = std::vector<MeasuredSetting>;

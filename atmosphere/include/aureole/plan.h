@@ -129,9 +129,10 @@ struct Plan {
     bool tolerable = false;  ///< False: nothing meets the requirements; this is the most accurate within budgets, or what
                              ///< breaks them least.
     PlanError error;
-    /// Where PlanRequirements::shadows: upper bound of what shadows in the air err by, of the light that is there without them,
-    /// away from the edges of shadows; no part of `error`. Most of it is light that was scattered more than once, which is not
-    /// shadowed (shadows.md). None where that was not measured.
+    /// Where PlanRequirements::shadows: upper bound of what shadows in the air err by in 95 of 100 directions, away from the
+    /// edges of shadows, as a share of the light that is there without them; in [0, 1]. As PlanError::bound it holds in 95 of
+    /// 100 scenes that were not measured. No part of `error`. Most of it is light that was scattered more than once, which is
+    /// not shadowed (shadows.md). None where that was not measured.
     std::optional<double> shadows_bound;
     PlanCost cost;
     std::vector<PlanChoice> choices;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace aureole::detail {
 
@@ -88,7 +89,7 @@ inline Planned check_plans_of(PlanRequirements needs, const Predictor& predictor
         needs.tolerance = tolerance;
         const Plan found = plan(needs);
         INFO(at.id, " at ", tolerance, ", geometry up to ", needs.geometry ? needs.geometry_range_m : 0.0,
-             needs.light ? " m, light: " : " m: ", found.setting.id());
+             std::string(needs.light ? " m, light: " : " m: "), found.setting.id());
         CHECK(found.distance < 0.01);
         const bool air_is_known = check_air_before(needs, skies, scene, found);
         count.of_air += air_is_known ? 1 : 0;

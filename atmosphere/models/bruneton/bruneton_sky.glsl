@@ -14,7 +14,6 @@ SAMPLER_2D(17, view_depth_table)
 
 #define AUREOLE_PROFILE_TABLE 10
 
-#include "common/slab.glsl"
 #include "common/view_ray.glsl"
 #include "medium/medium.glsl"
 #include "models/bruneton/bruneton_rays.glsl"
@@ -99,13 +98,11 @@ AerialPerspective aerial_perspective(real, real, real distance_km, vec3 directio
         real t = min(distance_km, ray.end);
         FirstStretch first = first_stretch(ray);
         real on_t = max(t, first.reach);
-        result.transmittance = exp(-dark_depth(ray, real(0), t, !ray.ground));
+        real share = on_t > t ? thinned_length(first.thinning, t) / thinned_length(first.thinning, on_t) : real(1);
         vec3 depth = dark_depth(ray, real(0), on_t, !ray.ground);
-        vec3 of_it = vec3(real(1));
-        if (t < on_t) {
-            real share = thinned_length(first.thinning, t) / thinned_length(first.thinning, on_t);
-            of_it = share * mean_transmittance(share * depth) / mean_transmittance(depth);
-        }
+        // (1 - exp(-share depth)) / (1 - exp(-depth)), to depth^2 / 12.
+        vec3 of_it = share * (vec3(real(1)) + (real(0.5) * (1 - share)) * depth);
+        result.transmittance = exp(-share * depth);
         result.radiance += of_it * vec3(view.sun_irradiance[sun]) *
                            air_radiance_before(scattering_place(ray), scattering_place(ray_behind(ray, on_t)), exp(-depth), ray.nu);
     }

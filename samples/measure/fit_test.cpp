@@ -254,6 +254,24 @@ TEST_CASE("fit: finds along which axes a field changes, and bounds that hold") {
     CHECK(found.radiance.median_off < 0.1);
 }
 
+TEST_CASE("fit: choices that leave the air before geometry out where it matters count as broken") {
+    MeasuredSkies skies = invented(60);
+    skies.settings[0].by_air[0].air_mib = 1;
+    for (detail::MeasuredScene& scene : skies.scenes) {
+        scene.altitude_m = 2;
+        scene.situation[detail::axis_of_altitude] = 2.0 / 8000;
+    }
+    const std::vector<std::size_t> held_out = drawn_third(skies, 3);
+    const Coverage right = coverage(skies, held_out);
+    REQUIRE(right.choices > 50);
+    CHECK(right.choices_kept >= 0.9);
+    for (MeasuredError& bare : skies.bare)
+        for (const std::size_t scene : held_out) bare.by_scene[scene] = MeasuredError::pack(1e3);  // foretold to be little
+    const Coverage wrong = coverage(skies, held_out);
+    CHECK(wrong.choices == right.choices);
+    CHECK(wrong.choices_kept < right.choices_kept - 0.2);  // geometry is near in three of five, and left bare in most of these
+}
+
 TEST_CASE("fit: a third is drawn by seed and name alone") {
     MeasuredSkies skies = invented(60);
     const std::vector<std::size_t> first = drawn_third(skies, 1);

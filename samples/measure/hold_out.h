@@ -24,9 +24,10 @@ struct Coverage {
     Of sky, geometry, light;
     Of radiance;  ///< Sky and geometry.
     Of bare;      ///< Geometry without the air before it, at all distances.
-    /// Choices that a plan makes (best_of), among the settings measured there, within 0.5 to 20 %: of the sky in each of those
-    /// scenes, and again with geometry, and light where it is known; and the share of them that keep the tolerance. Less than
-    /// below_bound: of many settings the one is taken whose bound is lowest.
+    /// Choices that a plan makes (choose_air, best_of), among the settings measured there, within 0.5 to 20 %: of the sky in
+    /// each of those scenes, and again with geometry up to 32 m, 320 m, 3.2 and 96 km, with the air before it or without, and
+    /// light where it is known; and the share of them that keep the tolerance. Less than below_bound: of many settings the one
+    /// is taken whose bound is lowest.
     std::size_t choices = 0;
     double choices_kept = 0;
     double distance = 0;  ///< Plan::distance of half of the scenes is less.

@@ -73,7 +73,7 @@ TEST_CASE("planned sky: whatever the device refuses, an update changes nothing, 
 
 TEST_CASE("planned sky: a shadow map darkens the old sky and the new one") {
     const auto backend = open_cpu_float();
-    const TwoHours hours = two_hours();
+    const TwoHours hours = two_hours(true);
     PlanRequirements needs = day_and_dusk(hours.tolerance);
     needs.shadows = true;
     const CompositeSettings composite{.target_format = rhi::Format::rgba32_float, .exposure = 10};

@@ -341,20 +341,22 @@ void check_shipped(const MeasuredSkies& skies, double least_below) {
     CHECK(below / predictions >= 0.95);
     CHECK(excess <= 2);
     CHECK(kept / choices >= 0.85);
-    CHECK(light_below >= 0.95 * of_light);  // one number a scene: how wide its bounds are is only told
-    CHECK(bare_below >= 0.95 * of_bare);    // none in older tables
+    // One number a scene: how wide its bounds are is only told. What n scenes say of one more, not even the widest of them has
+    // seen of more than n in n + 1.
+    const double fitted_to = std::ceil(static_cast<double>(skies.scenes.size()) * 2 / 3);
+    CHECK(light_below >= std::min(0.95, fitted_to / (fitted_to + 1)) * of_light);
+    CHECK(bare_below >= 0.95 * of_bare);  // none in older tables
     if (of_bare >= 1000) CHECK(bare_excess <= 2);
 }
 
-/// Costs of the table that ships that the other airs foretell more than 30 % wrong, each of them measured while the machine did
-/// something else: four wavelengths took more than six there. A new table has to do without, or with its own.
+/// Costs of the table that ships that the other airs foretell more than 30 % wrong. In two rounds clear Earth's rebuild of
+/// three colours took 13.5 ms, where the same setting takes 10 ms in red, green and blue: something else ran. A new table has
+/// to do without, or with its own.
 struct FarOff {
     std::string_view air, setting, what;
 };
-constexpr std::array far_off{FarOff{"earth_in_wavelengths", "aureole default 4", "rebuild"},
-                             FarOff{"hazy_earth_in_wavelengths", "aureole default 4", "rebuild"},
-                             FarOff{"earth_in_wavelengths", "aureole low 4, without wavelengths", "rebuild"},
-                             FarOff{"hazy_earth_in_wavelengths", "aureole low 4", "rebuild"}};
+constexpr std::array far_off{FarOff{"earth_in_wavelengths", "aureole default 4, without wavelengths", "rebuild"},
+                             FarOff{"hazy_earth_in_wavelengths", "aureole default 4, without wavelengths", "rebuild"}};
 
 bool is_listed(const ForetoldCost& cost) {
     return std::ranges::any_of(far_off, [&](const FarOff& one) {

@@ -46,10 +46,11 @@ struct ForetoldCost {
 
     /// 0.3: foretold 30 % too much.
     [[nodiscard]] double off() const { return foretold_ms / measured_ms - 1; }
-    /// Of what takes less than this nobody asks for a share: a hundredth of the cheapest sky's frame, and a clock's noise.
-    static constexpr double least_ms = 0.2;
+    /// What is off by no more than this counts as right: a hundredth of the cheapest sky's frame. A rebuild is measured as the
+    /// difference of two medians, and of a model without tables it is their noise.
+    static constexpr double least_ms = 0.15;
     [[nodiscard]] bool within(double share) const {
-        return std::abs(foretold_ms - measured_ms) <= share * std::max(measured_ms, least_ms);
+        return std::abs(foretold_ms - measured_ms) <= std::max(share * measured_ms, least_ms);
     }
 };
 struct AirLeftOut {

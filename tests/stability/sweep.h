@@ -83,20 +83,26 @@ private:
 };
 
 /// What a model in float is compared with. Of geometry all that it may be by a distance and by directions in float: from two
-/// steps nearer to two steps farther, of 64 m at 10^6 km (the depth buffer's own, and that of what is worked out from it), and
-/// from a step (1.2e-7 rad, less than a thousandth of a pixel) lower to a step higher.
+/// steps of the distance in kilometres nearer to two steps farther, of 62.5 m at 10^6 km (the depth buffer's own, and that of
+/// what is worked out from it), and from a step (1.2e-7 rad, less than a thousandth of a pixel) lower to a step higher.
 struct Exact {
     std::vector<Rgb> here, least, most;
-    /// Errors are relative to `here`, or to this where there is less.
-    double least_light = 0;
+    /// Errors are relative to `here`, or to this where there is less, in each channel.
+    Rgb least_light{0};
+    /// The same of black geometry beside its own light.
+    double faintest = 0;
 };
 
 /// By the model in double. Less light than this is not looked at closely, of the sky: a thousandth of its mean away from the
 /// sun, ten stops below what an exposure is made for. Of geometry: what coal sends, of reflectance 0.04, in that sky and in the
-/// beam of the sun. Of both: a thousandth of a night without a moon (1e-9 of the sun's); and with tables of half floats a
-/// hundred of their smallest steps (6e-8 of the sun's), of which one is a per cent.
+/// beam of the sun, in each channel. Of all: a thousandth of a night without a moon (1e-9 of the sun's); and with tables of
+/// half floats a hundred of their smallest steps (6e-8 of the sun's), of which one is a per cent.
 [[nodiscard]] Exact exact_look(Observer& in_double, const Scene& scene, Subject subject, bool half_tables);
 /// Of each view, in the channel where it is largest.
 [[nodiscard]] std::vector<double> relative_errors(std::span<const Rgb> seen, const Exact& exact);
+/// The pixels of a picture of geometry that are black.
+[[nodiscard]] std::vector<std::size_t> black_pixels();
+/// Of each of these, beside what the air before it sends, however little.
+[[nodiscard]] std::vector<double> errors_of_black(std::span<const Rgb> seen, const Exact& exact);
 
 }  // namespace aureole::stability

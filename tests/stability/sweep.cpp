@@ -194,7 +194,7 @@ double distance_to_sphere(double radius, double r, double mu) {
 }
 
 /// From the camera, no farther than the ground; seen from beyond the air, so far before the ground, or before the lowest point
-/// of a line that misses it: the air's top is empty.
+/// of a line that misses it, but with ten metres of air at least.
 double distance_of(const Scene& scene, const glm::dvec3& direction, double in_air_m) {
     const Planet& planet = scene.air.planet;
     const double r = planet.bottom_radius_m + scene.altitude_m;
@@ -203,7 +203,8 @@ double distance_of(const Scene& scene, const glm::dvec3& direction, double in_ai
     if (r <= planet.top_radius_m) return std::min(in_air_m, ground);
     const double entry = distance_to_sphere(planet.top_radius_m, r, direction.z);
     if (!std::isfinite(entry)) return scene.altitude_m + in_air_m;  // no air there
-    return std::max(std::min(ground, -r * direction.z) - in_air_m, entry);
+    const double farthest = std::min(ground, -r * direction.z);
+    return std::max(farthest - in_air_m, std::min(entry + 10, farthest));
 }
 
 /// Of a float of a distance in kilometres, in which kernels work.

@@ -159,10 +159,10 @@ struct Known {
     double in_float, in_double;  ///< 0: holds.
 };
 constexpr Known all_known[] = {
-    {16115, 7130, 10100},  // a sheet of air that no node meets
-    {16504, 0, 28700},     // so, too
-    {27843, 1490, 0},      // a planet of 10^12 m, of which a float cannot tell a metre
-    {47614, 0, 679000},    // level in a shell of 19 m, the sun on the horizon
+    {16115, 7130, 10100},                          // a sheet of air that no node meets
+    {16504, 0, 28700},                             // so, too
+    {27843, 1490, 0},                              // this one and the next: above a planet of 10^12 m
+    {34243, 62400, 17800000}, {47614, 0, 679000},  // level in a shell of 19 m, the sun on the horizon
 };
 template <class real>
 double most_of(const Known& known) {

@@ -128,8 +128,8 @@ Errors compare(Observer& observer, Observer& exact, const Scene& scene, Subject 
         const std::size_t worst = worst_of(errors.picture);
         tell(with_black ? "geometry" : "sky", scene, place_of(scene, subject, worst), errors.picture[worst], seen[worst],
              right.here[worst]);
-        if (!with_black) return errors;
-        const std::size_t black = worst_of(errors.black), pixel = black_pixels()[black];
+        if (errors.black.empty()) return errors;
+        const std::size_t black = worst_of(errors.black), pixel = right.black[black];
         tell("black", scene, place_of(scene, subject, pixel), errors.black[black], seen[pixel], right.here[pixel]);
         return errors;
     } catch (const std::exception& error) {
@@ -163,7 +163,7 @@ void run(const Stored& stored, std::size_t rung, const Sweep& axis, std::span<co
                 }
                 print(line("sky"), all[i], sky.picture);
                 print(line("geometry"), all[i], geometry.picture);
-                print(line("black"), all[i], geometry.black);
+                if (!geometry.black.empty()) print(line("black"), all[i], geometry.black);
             }
         }
 }

@@ -231,17 +231,17 @@ std::vector<Rgb> Observer::geometry(const Scene& scene, int farther, int tilted)
         picture_->air().set_parameters(scene.air);
     }
     picture_->place(camera_of(scene, 0), scene.all_suns());
-    std::vector<double> distances;
+    distances_.clear();
     std::vector<Rgb> colors;
     for (std::uint32_t y = 0; y < physics::Picture::height; ++y)
         for (std::uint32_t x = 0; x < physics::Picture::width; ++x) {
             constexpr double in_air_m[] = {10, 300, 5e3, 5e4};
             const double distance = distance_of(scene, picture_->direction(x, y), in_air_m[x % 4]);
-            distances.push_back(distance + farther * step_of_distance(distance));
+            distances_.push_back(distance + farther * step_of_distance(distance));
             colors.push_back(is_black(colors.size()) ? Rgb(0) : Rgb(0.05 * scene.irradiance));
         }
     if (tilted != 0) picture_->place(camera_of(scene, tilted * step_of_direction), scene.all_suns());
-    return picture_->render(distances, colors);
+    return picture_->render(distances_, colors);
 }
 
 std::vector<Rgb> Observer::sky(const Scene& scene) {
@@ -294,9 +294,11 @@ Exact exact_look(Observer& in_double, const Scene& scene, Subject subject, bool 
     const std::vector<Rgb> sky = in_double.look(scene);
     const Rgb mean = mean_away_from_suns(scene, sky);
     const double steps = half_tables ? 100 * 6e-8 : 0;
-    Exact exact{sky, sky, sky, Rgb(1e-3 * physics::sum(mean) / 3), std::max((1e-12 + steps) * scene.irradiance, 1e-300)};
+    Exact exact{sky, sky, sky, Rgb(1e-3 * physics::sum(mean) / 3), std::max((1e-12 + steps) * scene.irradiance, 1e-300), {}};
     if (subject == Subject::geometry) {
         exact.here = exact.least = exact.most = in_double.look(scene, subject);
+        for (std::size_t i = 0; i < exact.here.size(); ++i)
+            if (is_black(i) && in_double.distances_m()[i] >= 1) exact.black.push_back(i);
         for (const int one : {-1, 1}) {
             widen(exact, in_double.geometry(scene, 2 * one));
             widen(exact, in_double.geometry(scene, 0, one));
@@ -325,16 +327,9 @@ std::vector<double> relative_errors(std::span<const Rgb> seen, const Exact& exac
     return errors;
 }
 
-std::vector<std::size_t> black_pixels() {
-    std::vector<std::size_t> all;
-    for (std::size_t i = 0; i < std::size_t{physics::Picture::width} * physics::Picture::height; ++i)
-        if (is_black(i)) all.push_back(i);
-    return all;
-}
-
 std::vector<double> errors_of_black(std::span<const Rgb> seen, const Exact& exact) {
     std::vector<double> errors;
-    for (const std::size_t i : black_pixels()) errors.push_back(relative_error(seen[i], exact, i, Rgb(exact.faintest)));
+    for (const std::size_t i : exact.black) errors.push_back(relative_error(seen[i], exact, i, Rgb(exact.faintest)));
     return errors;
 }
 

@@ -70,6 +70,8 @@ public:
     }
     /// Geometry so many steps of a float farther away, by a camera tilted by so many.
     [[nodiscard]] std::vector<Rgb> geometry(const Scene& scene, int farther = 0, int tilted = 0);
+    /// Of the last geometry.
+    [[nodiscard]] const std::vector<double>& distances_m() const { return distances_; }
 
 private:
     [[nodiscard]] std::vector<Rgb> sky(const Scene& scene);
@@ -78,6 +80,7 @@ private:
     ModelPtr model_;
     std::unique_ptr<physics::Sky> sky_;
     std::unique_ptr<physics::Picture> picture_;
+    std::vector<double> distances_;
     std::uint32_t suns_ = 0, suns_of_picture_ = 0;
     bool sun_disk_ = false;
 };
@@ -91,6 +94,9 @@ struct Exact {
     Rgb least_light{0};
     /// The same of black geometry beside its own light.
     double faintest = 0;
+    /// Pixels of black geometry that is a metre away at least: the distance axis of froxels up to 96 km has steps of
+    /// millimetres.
+    std::vector<std::size_t> black;
 };
 
 /// By the model in double. Less light than this is not looked at closely, of the sky: a thousandth of its mean away from the
@@ -100,9 +106,7 @@ struct Exact {
 [[nodiscard]] Exact exact_look(Observer& in_double, const Scene& scene, Subject subject, bool half_tables);
 /// Of each view, in the channel where it is largest.
 [[nodiscard]] std::vector<double> relative_errors(std::span<const Rgb> seen, const Exact& exact);
-/// The pixels of a picture of geometry that are black.
-[[nodiscard]] std::vector<std::size_t> black_pixels();
-/// Of each of these, beside what the air before it sends, however little.
+/// Of each pixel of `Exact::black`, beside what the air before it sends, however little.
 [[nodiscard]] std::vector<double> errors_of_black(std::span<const Rgb> seen, const Exact& exact);
 
 }  // namespace aureole::stability

@@ -28,18 +28,9 @@
 RayMap piece_map(Ray ray, real t0, real t1, bool dense_end) {
     real t = dense_end ? t1 : t0;
     real h = altitude_after(ray.altitude, ray.mu, t);
-    COUNT(1);
-    real extinction = real(0);
-    real decay = real(0);  // extinction-weighted 1 / scale height
-    for (int i = 0; i < TERM_COUNT; ++i) {
-        vec3 e = vec3(atm.term_extinction[i]) * term_density(i, h);
-        real mean = (e.x + e.y + e.z) / 3;
-        extinction += mean;
-        if (term_kind(i) == PROFILE_EXPONENTIAL) decay += mean * atm.term_profile[i].x;
-    }
-    decay /= max(extinction, real(1e-20));
+    vec2 air = extinction_and_decay(h);
     // Seen from its thin end, a piece does not fade with distance from the dense one.
-    return ray_map(t1 - t0, h, abs(view_mu_after(ray, t, h)), decay, dense_end ? real(0) : extinction);
+    return ray_map(t1 - t0, h, abs(view_mu_after(ray, t, h)), air.y, dense_end ? real(0) : air.x);
 }
 
 // Behind so many optical depths of a piece nothing is seen beside what it shows itself: 3e-4 of it, and that is not lost but taken to

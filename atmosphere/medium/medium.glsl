@@ -75,4 +75,18 @@ vec3 medium_extinction(real altitude_km) {
     return extinction;
 }
 
+// Extinction, mean of the channels, and how fast its exponential terms thin with height: 1 / scale height, by their share; 1/km.
+vec2 extinction_and_decay(real altitude_km) {
+    COUNT(1);
+    real extinction = real(0);
+    real decay = real(0);
+    for (int i = 0; i < TERM_COUNT; ++i) {
+        vec3 e = vec3(atm.term_extinction[i]) * term_density(i, altitude_km);
+        real mean = (e.x + e.y + e.z) / 3;
+        extinction += mean;
+        if (term_kind(i) == PROFILE_EXPONENTIAL) decay += mean * atm.term_profile[i].x;
+    }
+    return vec2(extinction, decay / max(extinction, real(1e-20)));
+}
+
 #endif

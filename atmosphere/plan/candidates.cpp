@@ -61,12 +61,6 @@ double shown_ms(const MeasuredCost& measured, AirBefore air) {
     return bare ? measured.composite_bare_ms : measured.composite_geometry_ms;
 }
 
-PlanError with(PlanError error, const PredictedError& geometry) {
-    error.p95 = std::max(error.p95, geometry.likely);
-    error.bound = std::max(error.bound, geometry.bound);
-    return error;
-}
-
 /// Of sky and light, as `worse` says.
 std::optional<PlanError> worse_beside_geometry(const PlanRequirements& requirements, const MeasuredSetting& setting,
                                                Predictor::Here& here, const PlanError& so_far) {
@@ -111,13 +105,19 @@ std::optional<PredictedError> worst_bare(const PlanRequirements& requirements, c
     return worst;
 }
 
+}  // namespace
+
 AirBefore choose_air(const PlanRequirements& requirements, const std::optional<PredictedError>& bare, bool keep_air) {
     const bool within = bare && requirements.tolerance && bare->bound <= *requirements.tolerance;
     if (within && !requirements.shadows && !keep_air) return AirBefore::left_out;
     return air_asked_for(requirements);
 }
 
-}  // namespace
+PlanError worse_of(PlanError error, const PredictedError& geometry) {
+    error.p95 = std::max(error.p95, geometry.likely);
+    error.bound = std::max(error.bound, geometry.bound);
+    return error;
+}
 
 std::vector<Situation> situations_of(const PlanRequirements& requirements, const MeasuredSkies& skies) {
     const AirCoordinates air(requirements.air);
@@ -151,7 +151,7 @@ std::optional<PlanError> worse(const PlanRequirements& requirements, const Measu
     if (!worst || !requirements.geometry) return worst;
     const std::optional<PredictedError> through = through_air(requirements, setting, here);
     if (!through) return {};
-    return with(*worst, *through);
+    return worse_of(*worst, *through);
 }
 
 std::optional<double> measured_worst(const PlanRequirements& requirements, const MeasuredSetting& setting, std::size_t scene) {
@@ -231,7 +231,7 @@ struct Errors {
     [[nodiscard]] std::optional<PlanError> with_air(AirBefore air, const std::optional<PredictedError>& bare) const {
         if (!beside || air == AirBefore::nothing) return beside;
         const std::optional<PredictedError>& geometry = air == AirBefore::drawn ? through : bare;
-        return geometry ? std::optional(with(*beside, *geometry)) : std::nullopt;
+        return geometry ? std::optional(worse_of(*beside, *geometry)) : std::nullopt;
     }
 };
 

@@ -11,12 +11,13 @@
 namespace aureole::detail {
 namespace {
 
-std::string with_figures(double value, int figures, const char* unit) {
+std::string number(double value, int figures) {
     const int magnitude = value != 0 ? static_cast<int>(std::floor(std::log10(std::abs(value)))) : 0;
     std::ostringstream text;
-    text << std::fixed << std::setprecision(std::clamp(figures - 1 - magnitude, 0, 9)) << value << " " << unit;
+    text << std::fixed << std::setprecision(std::clamp(figures - 1 - magnitude, 0, 9)) << value;
     return std::move(text).str();
 }
+std::string with_figures(double value, int figures, const char* unit) { return number(value, figures) + " " + unit; }
 
 /// "without it", and what says the same of what is no thing.
 std::string other_way(const std::string& what, bool left_out) {
@@ -140,8 +141,9 @@ private:
 
     [[nodiscard]] std::string shadows_error() const {
         if (!plan_.shadows_bound) return "; what they err by is not known";
-        return "; away from their edges they err by at most " + percent(*plan_.shadows_bound) +
-               " of the unshadowed light, which no tolerance judges: light scattered more than once is not shadowed";
+        return "; away from their edges 95 of 100 directions err by at most " + percent(*plan_.shadows_bound) +
+               " of the unshadowed light, in 95 scenes of 100, which no tolerance judges: light scattered more than "
+               "once is not shadowed";
     }
 
     using Settings = std::vector<MeasuredSetting>;
@@ -154,11 +156,11 @@ private:
         const double saved = geometry ? drawn.cost.frame_ms - bare.cost.frame_ms : drawn.aerial_perspective_ms;
         PlanChoice choice{"aerial perspective", kept ? "recorded" : "left out", {}, {}, kept ? -saved : saved};
         choice.reason = !geometry ? "no geometry: saves " + milliseconds(saved)
-                        : kept
-                            ? why_air_is_drawn() + ": " + milliseconds(saved)
-                            : "without it geometry up to " + reach() + " away is off by " + off() +
-                                  ", within the tolerance of " + percent(*requirements_.tolerance) + ": saves " +
-                                  milliseconds(saved) + " and " + with_unit(drawn.cost.mebibytes - bare.cost.mebibytes, "MiB");
+                        : kept    ? why_air_is_drawn() + ": " + milliseconds(saved)
+                                  : "without it geometry up to " + reach() + " away is off by " + off() +
+                                     ", within the tolerance of " + percent(*requirements_.tolerance) + ": saves " +
+                                     milliseconds(saved) + " and " +
+                                     with_unit(drawn.cost.mebibytes - bare.cost.mebibytes, "MiB") + darker_errs_by_more();
         const std::size_t index = static_cast<std::size_t>(setting - predictor_.skies().settings.begin());
         if (const auto& otherwise = seen_.bound_otherwise[index]; geometry && otherwise)
             choice.error_otherwise = *otherwise - plan_.error.bound;
@@ -166,11 +168,20 @@ private:
     }
     [[nodiscard]] std::string why_air_is_drawn() const {
         const std::string seen = "geometry is seen through the air";
-        if (!seen_.bare) return seen + "; what it would err by without was not measured";
+        if (!seen_.bare) return seen + "; what it would err by without " + why_unknown();
         const std::string without = seen + "; without it geometry up to " + reach() + " away would be off by " + off();
         if (!requirements_.tolerance) return without;
         if (seen_.bare->bound > *requirements_.tolerance) return without + ", more than " + percent(*requirements_.tolerance);
         return requirements_.shadows ? without + ", but shadows are seen in it" : without + ", but it is in use";
+    }
+    [[nodiscard]] static std::string darker_errs_by_more() {
+        return "; so it is for geometry as bright as ground of albedo " + number(geometry_albedo, 2) +
+               ": what is darker errs by more, and view.aerial_perspective = true keeps the air before it";
+    }
+    [[nodiscard]] std::string why_unknown() const {
+        const double farthest_km = bare_distances_km.back();
+        if (requirements_.geometry_range_m <= 1000 * farthest_km) return "was not measured";
+        return "is not known beyond " + with_figures(farthest_km, 3, "km");
     }
     [[nodiscard]] std::string reach() const { return with_figures(requirements_.geometry_range_m / 1000, 3, "km"); }
     /// "1.2 %, below 1.5 %"

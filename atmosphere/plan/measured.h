@@ -59,6 +59,8 @@ struct MeasuredCost {
 
 /// Errors of geometry are kept by its distance: near, up to near_geometry_km, and far.
 inline constexpr double nearest_geometry_km = 1, near_geometry_km = 10, farthest_geometry_km = 100;
+/// They are of geometry as bright as such ground under the scene's sun.
+inline constexpr double geometry_albedo = 0.19;
 /// Distances at which it is known what leaving the air before geometry out errs by.
 inline constexpr std::array bare_distances_km{0.01, 0.0316, 0.1, 0.316, 1.0, 3.16, 10.0, 31.6};
 

@@ -36,8 +36,8 @@ std::string Plan::text() const {
             percent(error.bound) + " in 95 cases of 100\n";
     if (error.light > 0) text += "error of light for materials: " + percent(error.light) + ", below the same bound\n";
     if (shadows_bound)
-        text +=
-            "error of shadows in the air: below " + percent(*shadows_bound) + " of the unshadowed light, in no other figure\n";
+        text += "error of shadows in the air: below " + percent(*shadows_bound) +
+                " of the unshadowed light for 95 of 100 directions in 95 cases of 100, in no other figure\n";
     text += "cost: " + milliseconds(cost.frame_ms) + " a frame, " + milliseconds(cost.rebuild_ms) + " a rebuild of the air, " +
             detail::with_unit(cost.mebibytes, "MiB") + " of tables\n";
     for (const PlanChoice& choice : choices) text += "  " + choice.what + ": " + choice.chosen + " (" + choice.reason + ")\n";

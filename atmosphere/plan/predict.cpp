@@ -46,17 +46,22 @@ double distance_between(const Situation& a, const Situation& b) {
     return std::sqrt(square);
 }
 
-/// Of errors that are known at bare_distances_km, that of all that is no farther than `km`. `evenly`: air is nowhere denser
-/// than at the camera, so that errors grow ever more slowly with distance.
-double up_to(double km, bool evenly, const std::array<PredictedError, bare_distances_km.size()>& at,
-             double PredictedError::*which) {
-    const auto farther = static_cast<std::size_t>(std::ranges::upper_bound(bare_distances_km, km) - bare_distances_km.begin());
-    double nearer = 0;
-    for (std::size_t i = 0; i < farther; ++i) nearer = std::max(nearer, at[i].*which);
-    if (!evenly) return std::max(nearer, at[farther].*which);
-    const std::size_t known = farther == 0 ? 0 : farther - 1;
-    const double in_proportion = at[known].*which * km / bare_distances_km[known];
-    return std::max(nearer, farther < at.size() ? std::min(in_proportion, at[farther].*which) : in_proportion);
+using AtBareDistances = std::array<PredictedError, bare_distances_km.size()>;
+
+/// Geometry up to a distance is also what is nearer.
+void grow_with_distance(AtBareDistances& at) {
+    for (std::size_t i = 1; i < at.size(); ++i)
+        at[i] = {std::max(at[i].likely, at[i - 1].likely), std::max(at[i].bound, at[i - 1].bound)};
+}
+
+/// At `km`, no farther than that of `at[farther]` and farther than the one before: evenly over the logarithms of both; nearer
+/// than all in proportion.
+double likely_between(const AtBareDistances& at, std::size_t farther, double km) {
+    const double far = at[farther].likely, far_km = bare_distances_km[farther];
+    if (farther == 0) return far * km / far_km;
+    const double near = at[farther - 1].likely, near_km = bare_distances_km[farther - 1];
+    if (!(near > 0)) return far;
+    return std::min(far, near * std::pow(far / near, std::log(km / near_km) / std::log(far_km / near_km)));
 }
 
 }  // namespace
@@ -126,18 +131,19 @@ std::optional<PredictedError> Predictor::Here::predict(const MeasuredError& erro
 }
 
 std::optional<PredictedError> Predictor::Here::bare(double range_m, double densest) {
-    constexpr double low = 0.1;  // scale heights: from there no ray finds much denser air before it meets the ground
-    const bool evenly = place_[axis_of_altitude] < low;
-    const double km = range_m / 1000;
-    if (above_air() || (!evenly && km >= bare_distances_km.back())) return {};
-    std::array<PredictedError, bare_distances_km.size()> at;
+    constexpr double rounding = 1e-9;  // a known distance in metres is that distance
+    const double km = (1 - rounding) * range_m / 1000;
+    if (above_air() || km > bare_distances_km.back()) return {};
+    AtBareDistances at;
     for (std::size_t i = 0; i < at.size(); ++i) {
         const auto known = predict(from_.skies_.bare[i]);
         if (!known) return {};
         const double share = bare_share(extinction_per_m(densest, place_), bare_distances_km[i]);
         at[i] = {share * known->likely, share * known->bound};
     }
-    return PredictedError{up_to(km, evenly, at, &PredictedError::likely), up_to(km, evenly, at, &PredictedError::bound)};
+    grow_with_distance(at);
+    const auto farther = static_cast<std::size_t>(std::ranges::lower_bound(bare_distances_km, km) - bare_distances_km.begin());
+    return PredictedError{likely_between(at, farther, km), at[farther].bound};
 }
 
 double Predictor::Here::distance() {

@@ -37,10 +37,10 @@ public:
     public:
         /// `error` is one of the skies'. None where it is known in too few scenes.
         [[nodiscard]] std::optional<PredictedError> predict(const MeasuredError& error);
-        /// Of geometry up to `range_m` away that is shown without the air before it: between the distances that are known that
-        /// of the farther one; near the ground, where errors grow ever more slowly along a ray, no more than in proportion to
-        /// the nearer one. None where that was not measured, above the air, and from high up beyond the farthest of them.
-        /// `densest`: densest_extinction_per_m of the air.
+        /// Of geometry up to `range_m` away that is shown without the air before it. The bound is that of the next distance
+        /// that is known, whatever the air along a ray is like: what is farther errs by no less. Likely is what lies between
+        /// the two, evenly over their logarithms. None where that was not measured, above the air, and beyond the farthest
+        /// distance. `densest`: densest_extinction_per_m of the air.
         [[nodiscard]] std::optional<PredictedError> bare(double range_m, double densest);
         [[nodiscard]] const Predictor& predictor() const { return from_; }
         [[nodiscard]] bool above_air() const { return place_[axis_of_space] > 0; }

@@ -10,6 +10,8 @@
 namespace aureole::detail {
 namespace {
 
+constexpr double least_depth = 0.01, least_absorption = 0.005, most_scale_heights = 8;
+
 double mean(const Rgb& c) { return (c.r + c.g + c.b) / 3; }
 
 /// Of extinction: the depth of the column over what there is of it at its densest, of a few altitudes.
@@ -28,6 +30,13 @@ double densest_extinction_per_m(const AtmosphereParameters& parameters) {
     return mean(vertical_optical_depth(parameters)) / scale_height(parameters, thickness_m);
 }
 
+std::optional<double> densest_extinction_per_m(const Situation& place, double altitude_m) {
+    const double scale_heights = place[axis_of_altitude];
+    if (!(scale_heights > 0 && scale_heights < most_scale_heights)) return {};
+    const double depth = std::exp(place[axis_of_depth]) - least_depth + std::exp(place[axis_of_absorption]) - least_absorption;
+    return std::max(depth, 0.0) / altitude_m * scale_heights;
+}
+
 AirCoordinates::AirCoordinates(const AtmosphereParameters& parameters)
     : thickness_m_(parameters.planet.top_radius_m - parameters.planet.bottom_radius_m),
       radius_m_(parameters.planet.bottom_radius_m) {
@@ -39,9 +48,9 @@ AirCoordinates::AirCoordinates(const AtmosphereParameters& parameters)
     air_ = {0,
             0,
             0,
-            std::log(0.01 + depth),
+            std::log(least_depth + depth),
             std::log(0.002 + sharp),
-            std::log(0.005 + std::max(extinction - depth, 0.0)),
+            std::log(least_absorption + std::max(extinction - depth, 0.0)),
             extinction > 0 ? 4 * depth / extinction : 4,
             4 * order_ratio(parameters),
             2 * mean(parameters.planet.ground_albedo),
@@ -52,7 +61,7 @@ Situation AirCoordinates::at(double sun_elevation_deg, double altitude_m) const 
     Situation result = air_;
     const double altitude = std::max(altitude_m, 0.0);
     result[axis_of_sun] = sun_axis(sun_elevation_deg);
-    result[axis_of_altitude] = std::min(altitude / scale_height_m_, 8.0);
+    result[axis_of_altitude] = std::min(altitude / scale_height_m_, most_scale_heights);
     result[axis_of_space] = std::log1p(20 * std::max(altitude - thickness_m_, 0.0) / radius_m_);
     return result;
 }

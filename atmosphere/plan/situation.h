@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace aureole::detail {
@@ -25,9 +26,13 @@ inline constexpr std::array<std::string_view, 10> situation_axes{
 };
 using Situation = std::array<double, situation_axes.size()>;
 inline constexpr std::size_t axis_of_sun = 0, axis_of_altitude = 1, axis_of_space = 2;  // the others are the air's
+inline constexpr std::size_t axis_of_depth = 3, axis_of_absorption = 5;
 
 /// Extinction per metre, the mean of the colours, where the air is densest and at a place: as if it were exponential.
 [[nodiscard]] double densest_extinction_per_m(const AtmosphereParameters& parameters);
+/// The same by the coordinates of a place whose altitude is known; none where they do not tell: on the ground, and from eight
+/// scale heights on.
+[[nodiscard]] std::optional<double> densest_extinction_per_m(const Situation& place, double altitude_m);
 [[nodiscard]] inline double extinction_per_m(double densest, const Situation& place) {
     return densest * std::exp(-place[axis_of_altitude]);
 }

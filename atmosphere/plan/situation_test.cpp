@@ -61,6 +61,22 @@ TEST_CASE("situation: what air is made of tells airs apart") {
     CHECK(AirCoordinates(clean).at(30, 2)[axis("absorption")] < earth[axis("absorption")] - 0.5);
 }
 
+TEST_CASE("situation: coordinates and altitude tell extinction") {
+    for (const std::string_view name : presets::names()) {
+        CAPTURE(name);
+        const AtmosphereParameters parameters = presets::by_name(name);
+        const AirCoordinates air(parameters);
+        const double densest = densest_extinction_per_m(parameters);
+        for (const double altitude_m : {2.0, 300.0, 5000.0}) {
+            const std::optional<double> found = densest_extinction_per_m(air.at(20, altitude_m), altitude_m);
+            REQUIRE(found);
+            CHECK(*found == doctest::Approx(densest).epsilon(1e-9).scale(1e-6));
+        }
+        CHECK_FALSE(densest_extinction_per_m(air.at(20, 0), 0));
+        CHECK_FALSE(densest_extinction_per_m(air.at(20, 1e9), 1e9));
+    }
+}
+
 TEST_CASE("situation: every preset, and a body without air, has finite coordinates anywhere") {
     std::vector<AtmosphereParameters> airs{AtmosphereParameters{}};
     for (const std::string_view name : presets::names()) airs.push_back(presets::by_name(name));

@@ -102,6 +102,8 @@ TEST_CASE("aerial: air that only absorbs leaves exp(-distance), by tables and in
     const double own = 0.06 * std::cos(50 * std::numbers::pi / 180);
     CHECK(geometry_radiance(50) == doctest::Approx(own));
     CHECK(geometry_radiance(100) == doctest::Approx(0.0006));
+    // As plans say of what they know: of so white ground, in two figures.
+    CHECK(geometry_radiance(0) * std::numbers::pi == doctest::Approx(detail::geometry_albedo).epsilon(0.02).scale(1e-300));
     std::vector<Rgb> expected;
     for (const double km : distances) expected.push_back(own * glm::exp(-absorption * km * 1000.0));
 

@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace aureole;
@@ -57,6 +58,69 @@ TEST_CASE("bare geometry: in even air with even light it is as far off as the cl
         const double expected = (apart.r + apart.g + apart.b) / (truth.r + truth.g + truth.b);
         for (const double found : {errors[i].error.median, errors[i].error.p95, errors[i].error.worst})
             CHECK(found == doctest::Approx(expected).epsilon(1e-5).scale(1e-300));
+    }
+}
+
+namespace {
+
+/// A slab of even air under a sun that it dims, every point of which scatters alike to all sides, once: what a ray's air shines
+/// with changes with altitude as exp(extinction x rise / cosine of the sun). `light`: what it shines with at the camera.
+struct Slab {
+    Rgb extinction_per_km, light, shown;
+    double sun_mu = 1;
+
+    [[nodiscard]] Rgb seen(double mu, double km) const {
+        Rgb result;
+        for (int c = 0; c < 3; ++c) {
+            const double bend = 1 - mu / sun_mu, depth = extinction_per_km[c] * km;
+            const double through_air = std::abs(bend) > 1e-9 ? -std::expm1(-bend * depth) / bend : depth;
+            result[c] = shown[c] * std::exp(-depth) + light[c] * through_air;
+        }
+        return result;
+    }
+    /// How far what the air shines with changes along the way, of its difference from what is shown.
+    [[nodiscard]] double unevenness(double mu, double km) const {
+        double most = 0;
+        for (int c = 0; c < 3; ++c)
+            most = std::max(
+                most, std::expm1(extinction_per_km[c] * km * std::abs(mu) / sun_mu) * light[c] / std::abs(light[c] - shown[c]));
+        return most;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("bare geometry: from 10 to 100 m, brought from kilometres of air whose light is uneven, it is as the closed form") {
+    const AerialView view{60, 0.5, 60};
+    const Slab slab{Rgb(0.01, 0.02, 0.04), Rgb(0.1, 0.2, 0.01), Rgb(geometry_radiance(view.sun_zenith_deg)), 0.5};
+    AtmosphereParameters air = presets::earth();
+    air.terms.resize(1);
+    air.terms[0].profile = ExponentialProfile{1e10};
+    air.terms[0].scattering_per_m = slab.extinction_per_km / 1000.0;
+    air.terms[0].absorption_per_m = Rgb(0);
+    const Place place =
+        place_with(air, view, [&](std::size_t, const AerialPixel& at) { return slab.seen(at.mu, at.distance_km); });
+    const BareErrors errors = bare_errors(air, place);
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        const double km = detail::bare_distances_km[i];
+        if (km > 0.11) continue;
+        CAPTURE(km);
+        std::vector<double> there;
+        double uneven = 0;
+        for (const AerialPixel& pixel : aerial_geometry(air.planet, view)) {
+            if (pixel.distance_km < aerial_nearest_km || pixel.distance_km >= 3.17 * aerial_nearest_km) continue;
+            there.push_back(relative_error(slab.shown, {slab.seen(pixel.mu, km), Rgb(0)}).value());
+            uneven = std::max(uneven, slab.unevenness(pixel.mu, pixel.distance_km));
+        }
+        CHECK(uneven > 0.02);  // or else it would be the case above
+        CHECK(uneven < 0.2);
+        CHECK(errors[i].error.rows == there.size());
+        const ErrorSummary expected = summarize(std::move(there));
+        // What a ray's air adds lies between that of the light at its ends: so does the change, wherever on the way.
+        const auto near = [&](double value) { return doctest::Approx(value).epsilon(1.1 * uneven).scale(1e-300); };
+        CHECK(errors[i].error.median == near(expected.median));
+        CHECK(errors[i].error.p95 == near(expected.p95));
+        CHECK(errors[i].error.worst == near(expected.worst));
     }
 }
 

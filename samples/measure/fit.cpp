@@ -136,10 +136,15 @@ std::vector<double> find_spreads(std::vector<Family>& all, const Situation& leng
     return standardized;
 }
 
-/// As many lie below the same margin as of what it was found from.
+/// As many lie below the same margin as of what it was found from. Of n scenes left out in turn as many lie below a quantile as
+/// it says; for one more scene it takes the quantile of (n + 1) / n as much (split conformal prediction: Vovk et al. 2005),
+/// which counts where scenes are few.
 void fit_spreads(std::vector<Family> all, const MeasuredSkies& skies) {
     if (all.empty()) return;
-    const double wider = std::max(quantile(find_spreads(all, skies.lengths), covered), 0.1) / skies.margin;
+    const std::size_t scenes =
+        std::ranges::max_element(all, {}, [](const Family& f) { return f.scenes.size(); })->scenes.size();
+    const double level = std::min(covered * (1 + 1 / static_cast<double>(scenes)), 1.0);
+    const double wider = std::max(quantile(find_spreads(all, skies.lengths), level), 0.1) / skies.margin;
     for (Family& family : all)
         for (MeasuredError* error : family.errors) error->spread *= wider;
 }

@@ -254,6 +254,24 @@ TEST_CASE("fit: finds along which axes a field changes, and bounds that hold") {
     CHECK(found.radiance.median_off < 0.1);
 }
 
+TEST_CASE("fit: choices that leave the air before geometry out where it matters count as broken") {
+    MeasuredSkies skies = invented(60);
+    skies.settings[0].by_air[0].air_mib = 1;
+    for (detail::MeasuredScene& scene : skies.scenes) {
+        scene.altitude_m = 2;
+        scene.situation[detail::axis_of_altitude] = 2.0 / 8000;
+    }
+    const std::vector<std::size_t> held_out = drawn_third(skies, 3);
+    const Coverage right = coverage(skies, held_out);
+    REQUIRE(right.choices > 50);
+    CHECK(right.choices_kept >= 0.9);
+    for (MeasuredError& bare : skies.bare)
+        for (const std::size_t scene : held_out) bare.by_scene[scene] = MeasuredError::pack(1e3);  // foretold to be little
+    const Coverage wrong = coverage(skies, held_out);
+    CHECK(wrong.choices == right.choices);
+    CHECK(wrong.choices_kept < right.choices_kept - 0.2);  // geometry is near in three of five, and left bare in most of these
+}
+
 TEST_CASE("fit: a third is drawn by seed and name alone") {
     MeasuredSkies skies = invented(60);
     const std::vector<std::size_t> first = drawn_third(skies, 1);
@@ -328,15 +346,14 @@ void check_shipped(const MeasuredSkies& skies, double least_below) {
     if (of_bare >= 1000) CHECK(bare_excess <= 2);
 }
 
-/// Costs of the table that ships that the other airs foretell more than 30 % wrong, each of them measured while the machine did
-/// something else: four wavelengths took more than six there. A new table has to do without, or with its own.
+/// Costs of the table that ships that the other airs foretell more than 30 % wrong. In two rounds clear Earth's rebuild of
+/// three colours took 13.5 ms, where the same setting takes 10 ms in red, green and blue: something else ran. A new table has
+/// to do without, or with its own.
 struct FarOff {
     std::string_view air, setting, what;
 };
-constexpr std::array far_off{FarOff{"earth_in_wavelengths", "aureole default 4", "rebuild"},
-                             FarOff{"hazy_earth_in_wavelengths", "aureole default 4", "rebuild"},
-                             FarOff{"earth_in_wavelengths", "aureole low 4, without wavelengths", "rebuild"},
-                             FarOff{"hazy_earth_in_wavelengths", "aureole low 4", "rebuild"}};
+constexpr std::array far_off{FarOff{"earth_in_wavelengths", "aureole default 4, without wavelengths", "rebuild"},
+                             FarOff{"hazy_earth_in_wavelengths", "aureole default 4, without wavelengths", "rebuild"}};
 
 bool is_listed(const ForetoldCost& cost) {
     return std::ranges::any_of(far_off, [&](const FarOff& one) {

@@ -20,6 +20,8 @@ using detail::MeasuredSkies;
 using detail::Predictor;
 
 constexpr std::array tolerances{0.005, 0.01, 0.02, 0.05, 0.1, 0.2};
+/// As far as geometry goes in choices: there is none, it is near, and as far as a view's froxels by default.
+constexpr std::array geometry_km{0.0, 0.0316, 0.316, 3.16, 96.0};
 
 std::uint64_t hash_of(const std::string& text, std::uint32_t seed) {
     Fnv1a hash;
@@ -69,8 +71,7 @@ public:
             add(light_, here, setting.light, scene);
         }
         for (const MeasuredError& error : predictor_.skies().bare) add(bare_, here, error, scene);
-        choose(scene, here, false);
-        choose(scene, here, true);
+        for (const double km : geometry_km) choose(scene, here, km);
     }
 
     Coverage result() {
@@ -95,31 +96,74 @@ private:
         if (predicted) list.push_back({predicted->bound / *truth, std::abs(std::log(predicted->likely / *truth))});
     }
 
-    /// As plan() does, among the settings that were measured there, with their costs.
-    void choose(std::size_t scene, Predictor::Here& here, bool geometry) {
+    /// Geometry without the air before it.
+    struct BareGeometry {
+        detail::PredictedError foretold;
+        double measured = 0;
+    };
+    /// At one of detail::bare_distances_km; none where it was not measured in the scene, or is not foretold.
+    [[nodiscard]] std::optional<BareGeometry> bare_geometry(std::size_t scene, Predictor::Here& here, double km) const {
+        const auto at = std::ranges::find(detail::bare_distances_km, km);
+        const detail::MeasuredScene& place = skies_.scenes[scene];
+        const std::optional<double> densest = detail::densest_extinction_per_m(place.situation, place.altitude_m);
+        if (at == detail::bare_distances_km.end() || !densest) return {};
+        const auto foretold = here.bare(1000 * km, *densest);
+        const auto measured = skies_.bare[static_cast<std::size_t>(at - detail::bare_distances_km.begin())].in(scene);
+        if (!foretold || !measured) return {};
+        const double share = detail::bare_share(detail::extinction_per_m(*densest, place.situation), km);
+        return BareGeometry{*foretold, share * *measured};
+    }
+
+    struct Choice {
+        PlanCandidate candidate;
+        double measured = 0;  ///< Its error in the scene.
+    };
+    /// The settings that were measured in the scene, with their costs there.
+    [[nodiscard]] std::vector<Choice> choices_with(const PlanRequirements& needs, detail::AirBefore air, std::size_t scene,
+                                                   Predictor::Here& here, const BareGeometry& bare) const {
+        const PlanRequirements judged = detail::judged_by(needs, air);
+        std::vector<Choice> choices;
+        for (const MeasuredSetting& setting : predictor_.skies().settings) {
+            const MeasuredCost& cost = setting.by_air[skies_.scenes[scene].air];
+            const std::optional<double> measured = detail::measured_worst(judged, setting, scene);
+            const auto error = measured ? detail::worse(judged, setting, here, {}) : std::nullopt;
+            if (!error || cost.air_mib == 0) continue;
+            const PlanCost costs = detail::cost_of(needs, cost, air).cost;
+            choices.push_back({{setting.setting, *error, costs, false, {}}, *measured});
+            if (air != detail::AirBefore::left_out) continue;
+            choices.back().candidate.error = detail::worse_of(*error, bare.foretold);
+            choices.back().measured = std::max(*measured, bare.measured);
+        }
+        return choices;
+    }
+
+    /// As plan() does; with geometry as far as `km`, before which it leaves the air out where that was measured and is foretold
+    /// to do; 0: without.
+    void choose(std::size_t scene, Predictor::Here& here, double km) {
         const std::vector<MeasuredSetting>& settings = predictor_.skies().settings;
         PlanRequirements needs;
-        needs.geometry = geometry;
+        needs.geometry = km > 0;
+        if (needs.geometry) needs.geometry_range_m = 1000 * km;
         needs.light = std::ranges::any_of(settings, [&](const auto& one) { return one.light.in(scene).has_value(); });
-        std::vector<PlanCandidate> candidates;
-        std::vector<double> truth;
-        for (const MeasuredSetting& setting : settings) {
-            const MeasuredCost& cost = setting.by_air[skies_.scenes[scene].air];
-            const std::optional<double> worst = detail::measured_worst(needs, setting, scene);
-            const auto error = worst ? detail::worse(needs, setting, here, {}) : std::nullopt;
-            if (!error || cost.air_mib == 0) continue;
-            candidates.push_back({setting.setting, *error, detail::cost_of(needs, cost).cost, false, {}});
-            truth.push_back(*worst);
-        }
-        if (candidates.empty()) return;
+        const auto bare = bare_geometry(scene, here, km);
+        const auto foretold = bare ? std::optional(bare->foretold) : std::nullopt;
         for (const double tolerance : tolerances) {
             needs.tolerance = tolerance;
-            for (PlanCandidate& one : candidates) one.tolerable = detail::tolerates(needs, one);
-            const std::size_t best = detail::best_of(needs, candidates);
-            if (!candidates[best].tolerable) continue;
-            ++choices_;
-            if (truth[best] <= tolerance) ++kept_;
+            const auto choices =
+                choices_with(needs, detail::choose_air(needs, foretold), scene, here, bare.value_or(BareGeometry{}));
+            if (!choices.empty()) count(needs, choices);
         }
+    }
+    void count(const PlanRequirements& needs, const std::vector<Choice>& choices) {
+        std::vector<PlanCandidate> candidates;
+        for (const Choice& one : choices) {
+            candidates.push_back(one.candidate);
+            candidates.back().tolerable = detail::tolerates(needs, one.candidate);
+        }
+        const std::size_t best = detail::best_of(needs, candidates);
+        if (!candidates[best].tolerable) return;
+        ++choices_;
+        if (choices[best].measured <= *needs.tolerance) ++kept_;
     }
 
     const MeasuredSkies& skies_;

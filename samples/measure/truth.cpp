@@ -108,15 +108,16 @@ TruthTable TruthTable::read(const std::filesystem::path& path, const TraceParame
     return result;
 }
 
-void TruthTable::check_may_grow(const std::filesystem::path& path) const {
-    const TruthMadeBy today;
-    const auto check = [&](const char* name, const std::optional<int>& there, const std::optional<int>& here) {
-        if (!there || there == here) return;
-        throw Error(ErrorCode::invalid_argument, path.string() + ": " + name, std::to_string(*there),
-                    std::to_string(*here) + "; remove the file, and `aureole truth` makes it anew");
+void TruthTable::check_may_grow(const std::filesystem::path& path, const TruthMadeBy& today) const {
+    const auto check = [&](const char* name, int there, int here) {
+        if (there == here) return;
+        throw Error(ErrorCode::invalid_argument, path.string() + ": " + name, std::to_string(there),
+                    std::to_string(here) + "; remove the file, and `aureole truth` makes it anew");
     };
-    check("seed", made_by_.seed, today.seed);
-    check("version", made_by_.version, today.version);
+    const auto seed = [](const TruthMadeBy& by) { return by.seed.value_or(TruthMadeBy::first_seed); };
+    const auto version = [](const TruthMadeBy& by) { return by.version.value_or(TruthMadeBy::first_version); };
+    check("seed", seed(made_by_), seed(today));
+    check("version", version(made_by_), version(today));
 }
 
 void TruthTable::write(const std::filesystem::path& path, const TraceParameters& parameters) const {

@@ -23,8 +23,10 @@ enum class TruthKind : std::uint8_t {
     light,    ///< Irradiance; part: 0 that of the sky on a horizontal surface, 1 that of the sun on one that faces it.
 };
 
-/// What a table's numbers depend on beside its parameters. Older tables do not say all of it, and remain so when they grow.
+/// What a table's numbers depend on beside its parameters. Older tables do not say all of it: they are of the first seed and
+/// version, and say no more when they grow.
 struct TruthMadeBy {
+    static constexpr int first_seed = 0, first_version = 1;
     static constexpr int present_version = 1;  ///< To be raised when the path tracer draws or weighs its paths otherwise.
 
     std::optional<int> seed = TraceSettings{}.seed;  ///< Of TraceSettings.
@@ -46,9 +48,9 @@ public:
     [[nodiscard]] static TruthTable read(const std::filesystem::path& path, const TraceParameters& parameters,
                                          TruthKind kind = TruthKind::sky);
     [[nodiscard]] const TruthMadeBy& made_by() const noexcept { return made_by_; }
-    /// Throws Error(invalid_argument) naming `path` if what was made by another seed or version stands in the table: nothing
-    /// of today may be put beside it.
-    void check_may_grow(const std::filesystem::path& path) const;
+    /// Throws Error(invalid_argument) naming `path` if what was made by another seed or version than `today`'s stands in the
+    /// table: nothing of today may be put beside it.
+    void check_may_grow(const std::filesystem::path& path, const TruthMadeBy& today = {}) const;
     /// Replaces the file.
     void write(const std::filesystem::path& path, const TraceParameters& parameters) const;
 

@@ -1,9 +1,11 @@
 #include "report/overview.h"
 
+#include "plan/measured.h"
 #include "report/numbers.h"
 #include "report/table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace aureole::app::report {
@@ -154,7 +156,18 @@ std::string geometry_by_distance(const Measurements& all, const std::vector<Clas
     return print("Error of geometry at 1 to 10 km / at 10 to 100 km, 95th percentile in percent", table);
 }
 
-/// A line a distance.
+/// Of what was not measured there, but brought from elsewhere: it is good for no more.
+double to_two_figures(double value) {
+    if (!(value > 0) || !std::isfinite(value)) return value;
+    const double step = std::pow(10.0, std::floor(std::log10(value)) - 1);
+    return std::round(value / step) * step;
+}
+
+constexpr const char* brought_nearer_note =
+    "\n† Not measured there: brought nearer from the pixels at 1 to 3 km, along the same rays, by how much of the light the "
+    "air takes.\n";
+
+/// A line a distance. No pixel shows geometry nearer than nearest_geometry_km.
 std::string air_left_out(const std::vector<ClassSummary>& classes) {
     ByClass table{{"Geometry as far as, km"}, {}};
     std::set<double> distances;
@@ -162,19 +175,22 @@ std::string air_left_out(const std::vector<ClassSummary>& classes) {
         table.titles.push_back(cell(of.name));
         for (const auto& [km, error] : of.bare) distances.insert(km);
     }
+    bool any_brought = false;
     for (const double km : distances) {
-        std::vector<std::string>& cells = table.rows.emplace_back(std::vector{short_number(km)});
+        const bool brought = km < detail::nearest_geometry_km;
+        any_brought |= brought;
+        const auto figure = [&](double error) { return in_unit(brought ? to_two_figures(error) : error, Unit::percent); };
+        std::vector<std::string>& cells = table.rows.emplace_back(std::vector{short_number(km) + (brought ? " †" : "")});
         for (const ClassSummary& of : classes) {
             const auto found = of.bare.find(km);
             cells.push_back(found == of.bare.end() ? std::string(not_measured)
-                                                   : in_unit(found->second.median, Unit::percent) + " / " +
-                                                         in_unit(found->second.p95, Unit::percent));
+                                                   : figure(found->second.median) + " / " + figure(found->second.p95));
         }
     }
-    return print(
+    const char* const title =
         "Aerial perspective left out (under every model the same): error of geometry by its distance, median / 95th "
-        "percentile in percent",
-        table);
+        "percentile in percent";
+    return print(title, table) + (any_brought ? brought_nearer_note : "");
 }
 
 /// In the air of the first class that has it.

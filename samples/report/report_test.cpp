@@ -173,8 +173,8 @@ TEST_CASE("report: geometry by its distance, and what it is without the air befo
     const auto bare = [](double km, double median, double p95) {
         return json{{"distance_km", km}, {"rows", 5}, {"median", median}, {"p95", p95}, {"max", p95}};
     };
-    measurements["scenes"][0]["bare"] = {bare(0.1, 0.01, 0.02), bare(1, 0.1, 0.2)};
-    measurements["scenes"][1]["bare"] = {bare(0.1, 0.03, 0.04), {{"distance_km", 1}, {"rows", 0}}};
+    measurements["scenes"][0]["bare"] = {bare(0.1, 0.01, 0.02), bare(1, 0.104, 0.2)};
+    measurements["scenes"][1]["bare"] = {bare(0.1, 0.03, 0.0404), {{"distance_km", 1}, {"rows", 0}}};
     measurements["results"][0]["regions"]["aerial near"] = bare(1, 0.001, 0.002);
     measurements["results"][0]["regions"]["aerial far"] = bare(1, 0.003, 0.004);
     for (const auto& [name, ms] : {std::pair{"composite_ms", 1.0},
@@ -184,7 +184,7 @@ TEST_CASE("report: geometry by its distance, and what it is without the air befo
         measurements["costs"][0][name] = {{"median", ms}};
     const std::vector<ClassSummary> classes = summaries(measurements);
     CHECK(classes[0].bare.at(0.1).median == doctest::Approx(0.02));
-    CHECK(classes[0].bare.at(0.1).p95 == 0.04);
+    CHECK(classes[0].bare.at(0.1).p95 == 0.0404);
     CHECK(classes[0].bare.at(1).p95 == 0.2);
     CHECK(classes[1].bare.empty());
     // A frame of 1.5 ms has 0.5 of tables; over geometry it takes 1.7, without the air 0.4 + 0.9.
@@ -193,10 +193,14 @@ TEST_CASE("report: geometry by its distance, and what it is without the air befo
     CHECK(*classes[0].settings[0].without_air->share == doctest::Approx(0.4 / 1.7));
     CHECK_FALSE(classes[0].settings[1].without_air);
     const std::string tables = markdown_tables(measurements);
-    CHECK(contains(tables, "| 0.1 | 2 / 4 | – |"));
-    CHECK(contains(tables, "| 1 | 10 / 20 | – |"));
+    CHECK(contains(tables, "| 0.1 † | 2 / 4 | – |"));
+    CHECK(contains(tables, "| 1 | 10.4 / 20 | – |"));
+    CHECK(contains(tables, "\n† Not measured there: brought nearer from the pixels at 1 to 3 km"));
     CHECK(contains(tables, "| hillaire default | 0.2 / 0.4 | – |"));
     CHECK(contains(tables, "| hillaire default | 0.4 | 24 % |"));
+    measurements["scenes"][0]["bare"] = {bare(1, 0.104, 0.2)};  // no nearer than the pixels
+    measurements["scenes"][1].erase("bare");
+    CHECK_FALSE(contains(markdown_tables(measurements), "†"));
     measurements["scenes"][0]["bare"][0]["distance_km"] = -1;
     CHECK(contains(complaint([&] { (void)markdown_tables(measurements, "m.json"); }),
                    "m.json: scenes[0].bare[0].distance_km: -1"));

@@ -5,6 +5,9 @@
 #include "physics/sky.h"
 #include "physics/worst.h"
 
+#include <aureole/models/bruneton.h>
+#include <aureole/models/single.h>
+
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -153,4 +156,31 @@ TEST_CASE("geometry at no distance keeps its colour, and from space the air begi
     for (const Rgb& pixel : picture.render(150e3, color)) CHECK(apart(pixel, color) < 1e-6);  // still above the air
     const std::size_t centre = std::size_t{Picture::width} * (Picture::height / 2) + Picture::width / 2;
     CHECK(apart(picture.render(290e3, color)[centre], color) > 0.01);  // deep in it
+}
+
+TEST_CASE("bruneton: the air before near geometry is what a march finds, through air that thins quickly too") {
+    // Its own is a difference of look-ups, off by what both are off by, and near the camera a share of that by how the air
+    // thins.
+    models::BrunetonSettings once;
+    once.orders = 1;
+    for (const double scale_height : {8000.0, 1200.0, 300.0}) {
+        AtmosphereParameters air;
+        air.planet.ground_albedo = Rgb(0);
+        air.terms = {{"air", ExponentialProfile{scale_height}, Rgb(2e-5, 5e-5, 1e-4), Rgb(0), RayleighPhase{}}};
+        Picture table(cpu_double(), air, models::bruneton(once), 96e3), march(cpu_double(), air, models::single({}), 96e3);
+        const Sun sun = sun_at(0.7);
+        Worst worst;
+        for (const double elevation : {1.2, 0.6, 0.0}) {
+            const Camera camera = camera_at(6360e3, 100, 2, elevation);
+            table.place(camera, {&sun, 1});
+            march.place(camera, {&sun, 1});
+            for (const double distance : {1.0, 10.0, 60.0, 200.0, 1000.0}) {
+                const auto by_table = table.render(distance, Rgb(0)), by_march = march.render(distance, Rgb(0));
+                const std::size_t centre = std::size_t{Picture::width} * (Picture::height / 2) + Picture::width / 2;
+                worst.add(apart(by_table[centre], by_march[centre]), elevation, distance, by_march[centre].g);
+            }
+        }
+        CAPTURE(scale_height);
+        CHECK_WORST(worst, 0.08);
+    }
 }

@@ -50,7 +50,10 @@ struct PlanRequirements {
                                                  ///< charged the same.
     bool geometry = false;                       ///< The composite gets a host's colour and depth.
     /// How far away geometry may be: of the view's froxels. Errors of geometry are those up to there; where the air before it
-    /// changes less than the tolerance, it is left out. Errors were measured at 1 to 100 km; outside of these the plan warns.
+    /// changes less than the tolerance, it is left out. All these errors are of geometry as bright as ground of albedo 0.19
+    /// under the scene's sun: what is darker errs by more, and what is black, without the air before it, by all that is seen of
+    /// it, however near. A host that shows such geometry may set `plan.view.aerial_perspective = true`, which costs what the
+    /// choice "aerial perspective" says. Errors were measured at 1 to 100 km; outside of these a plan that draws the air warns.
     /// In [1e-3, 1e13].
     double geometry_range_m = 96000;
     bool shadows = false;                      ///< The host's shadow map darkens the air (ViewSettings::shadows, which
@@ -120,14 +123,16 @@ struct Plan {
     Setting setting;
     AtmosphereParameters air;  ///< With what is left out left out: to be given to Atmosphere, with `model`.
     ModelPtr model;
-    ViewSettings view;  ///< Aerial perspective where it is needed, its range, light and suns; shadows as the host sets them.
+    ViewSettings view;  ///< Aerial perspective where it is needed (a host may set it to true where it is not, for geometry
+                        ///< that is darker than what was measured), its range, light and suns; shadows as the host sets them.
 
     bool tolerable = false;  ///< False: nothing meets the requirements; this is the most accurate within budgets, or what
                              ///< breaks them least.
     PlanError error;
-    /// Where PlanRequirements::shadows: upper bound of what shadows in the air err by, of the light that is there without them,
-    /// away from the edges of shadows; no part of `error`. Most of it is light that was scattered more than once, which is not
-    /// shadowed (shadows.md). None where that was not measured.
+    /// Where PlanRequirements::shadows: upper bound of what shadows in the air err by in 95 of 100 directions, away from the
+    /// edges of shadows, as a share of the light that is there without them; in [0, 1]. As PlanError::bound it holds in 95 of
+    /// 100 scenes that were not measured. No part of `error`. Most of it is light that was scattered more than once, which is
+    /// not shadowed (shadows.md). None where that was not measured.
     std::optional<double> shadows_bound;
     PlanCost cost;
     std::vector<PlanChoice> choices;

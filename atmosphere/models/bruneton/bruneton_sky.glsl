@@ -12,8 +12,10 @@ SAMPLER_2D(4, irradiance_table)
 SAMPLER_2D(11, view_table)
 SAMPLER_2D(17, view_depth_table)
 
-#include "common/slab.glsl"
+#define AUREOLE_PROFILE_TABLE 10
+
 #include "common/view_ray.glsl"
+#include "medium/medium.glsl"
 #include "models/bruneton/bruneton_rays.glsl"
 #include "models/bruneton/bruneton_view_table.glsl"
 
@@ -63,16 +65,28 @@ Ray ray_behind(Ray ray, real t) {
     return on;
 }
 
-// A beginning of the ray that is long enough for its light to be more than what two look-ups are off by, and so short that its air
-// and what lights it are nearly even.
-real even_length(Ray ray) {
-    real t = ray.end / 64;
-    vec3 depth = dark_depth(ray, real(0), t, !ray.ground);
-    return t * min(real(0.0625) / max(max(depth.x, max(depth.y, depth.z)), real(1e-20)), real(1));
+// The first stretch of the ray: long enough for its light to be more than what two look-ups are off by, and so short that it is lit
+// evenly and thins by a known law, exp(-thinning t).
+struct FirstStretch {
+    real reach;     // km
+    real thinning;  // 1/km; below 0 where the ray goes down
+};
+FirstStretch first_stretch(Ray ray) {
+    vec2 air = extinction_and_decay(ray.altitude);
+    FirstStretch first;
+    first.thinning = air.y * ray.mu;
+    first.reach = min(ray.end / 64, min(real(0.0625) / max(air.x, real(1e-20)), real(0.5) / max(abs(first.thinning), real(1e-20))));
+    return first;
+}
+
+// Integral of exp(-thinning t') from 0 to t, its exponent at most 1/2: to 1 / 400.
+real thinned_length(real thinning, real t) {
+    real x = thinning * t;
+    return t * (1 - x / 2 * (1 - x / 3));
 }
 
 // The difference of two look-ups: of the whole ray, and of what is left of it behind the point. It needs no place on the screen. Nearer
-// than even_length() it is that length's, by the shares of even air: there the two would be nearly the same.
+// than the first stretch it is that stretch's, by the share of its air: there the two would be nearly the same.
 AerialPerspective aerial_perspective(real, real, real distance_km, vec3 direction) {
     ViewDirection v = view_direction(direction);
     real entry = distance_to_air(v);
@@ -82,11 +96,13 @@ AerialPerspective aerial_perspective(real, real, real distance_km, vec3 directio
     for (int sun = 0; sun < SUN_COUNT; ++sun) {
         Ray ray = camera_air_ray(v, entry, sun, dot(direction, vec3(view.sun_direction[sun])));
         real t = min(distance_km, ray.end);
-        real on_t = max(t, even_length(ray));
-        result.transmittance = exp(-dark_depth(ray, real(0), t, !ray.ground));
+        FirstStretch first = first_stretch(ray);
+        real on_t = max(t, first.reach);
+        real share = on_t > t ? thinned_length(first.thinning, t) / thinned_length(first.thinning, on_t) : real(1);
         vec3 depth = dark_depth(ray, real(0), on_t, !ray.ground);
-        real share = on_t > 0 ? t / on_t : real(1);
-        vec3 of_it = share * mean_transmittance(share * depth) / mean_transmittance(depth);
+        // (1 - exp(-share depth)) / (1 - exp(-depth)), to depth^2 / 12.
+        vec3 of_it = share * (vec3(real(1)) + (real(0.5) * (1 - share)) * depth);
+        result.transmittance = exp(-share * depth);
         result.radiance += of_it * vec3(view.sun_irradiance[sun]) *
                            air_radiance_before(scattering_place(ray), scattering_place(ray_behind(ray, on_t)), exp(-depth), ray.nu);
     }

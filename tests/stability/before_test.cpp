@@ -153,7 +153,7 @@ const char* title() {
     return sizeof(real) == 4 ? "air before geometry in float" : "air before geometry in double";
 }
 
-/// Cases in which light does not grow with distance; by half more than so many times what is allowed.
+/// Some of those of 100,000 in which light does not grow with distance (docs/stability.md), by so many times what is allowed.
 struct Known {
     std::uint64_t index;
     double in_float, in_double;  ///< 0: holds.

@@ -24,6 +24,10 @@ public:
         Entry& entry = worst_[what];
         ++entry.count;
         if (std::isnan(error)) error = std::numeric_limits<double>::infinity();
+        if (error > 1) ++entry.failed;
+        if (error > 1 && std::getenv("AUREOLE_STABILITY_PRINT") != nullptr)
+            std::printf("%s: %s: %.3g of its bound, case %llu\n", title_.c_str(), what.c_str(), error,
+                        static_cast<unsigned long long>(c.index()));
         if (entry.count > 1 && !(error > entry.error)) return;
         entry.error = error;
         entry.index = c.index();
@@ -39,8 +43,8 @@ public:
             if (print)
                 std::printf("%s: %s: %.3g of its bound, case %llu, of %llu\n", title_.c_str(), what.c_str(), entry.error,
                             static_cast<unsigned long long>(entry.index), static_cast<unsigned long long>(entry.count));
-            CHECK_MESSAGE(entry.error <= 1,
-                          title_ << ": " << what << ": " << entry.error << " of its bound. " << Case(entry.index).text());
+            CHECK_MESSAGE(entry.error <= 1, title_ << ": " << what << ": " << entry.error << " of its bound, " << entry.failed
+                                                   << " fail; the worst: " << Case(entry.index).text());
         }
     }
 
@@ -59,7 +63,7 @@ public:
 private:
     struct Entry {
         double error = 0;
-        std::uint64_t index = 0, count = 0;
+        std::uint64_t index = 0, count = 0, failed = 0;
     };
     std::string title_;
     std::map<std::string, Entry> worst_;

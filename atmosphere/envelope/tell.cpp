@@ -8,22 +8,17 @@
 
 namespace aureole::detail {
 
-namespace {
-
-bool names(const std::vector<OutsideEnvelope>& some, const std::string& field) {
-    return std::ranges::find(some, field, &OutsideEnvelope::field) != some.end();
+bool Teller::another_is(const OutsideEnvelope& outside) const {
+    return std::ranges::any_of(
+        all_, [&](const Teller* one) { return one != this && std::ranges::find(one->known_, outside) != one->known_.end(); });
 }
 
-}  // namespace
-
-void tell_outside(std::vector<OutsideEnvelope>& known, std::vector<OutsideEnvelope> now, std::vector<OutsideEnvelope>& told) {
-    std::erase_if(told, [&](const OutsideEnvelope& one) { return names(known, one.field) && !names(now, one.field); });
+void Teller::tell(std::vector<OutsideEnvelope> now) {
     for (const OutsideEnvelope& one : now) {
-        if (names(known, one.field) || std::ranges::find(told, one) != told.end()) continue;
-        log()->warn("{}", one.text());
-        told.push_back(one);
+        const bool is_known = std::ranges::find(known_, one.field, &OutsideEnvelope::field) != known_.end();
+        if (!is_known && !another_is(one)) log()->warn("{}", one.text());
     }
-    known = std::move(now);
+    known_ = std::move(now);
 }
 
 InHalfFloats kept_in_half(const Model& model, const AtmosphereParameters& parameters) {

@@ -1,6 +1,7 @@
 // The state behind Atmosphere: the tables of one air, and the views that read them.
 #pragma once
 
+#include "envelope/tell.h"
 #include "models/model.h"
 
 #include <aureole/envelope.h>
@@ -96,9 +97,9 @@ struct Atmosphere::Impl {
     std::unique_ptr<detail::AirTables> tables;
     std::vector<detail::AirUser*> users;
     std::vector<PassReport> reports;
-    InHalfFloats in_half{};  // as kept_in_half says
-    std::vector<OutsideEnvelope> outside{};
-    std::vector<OutsideEnvelope> told{};  // of this air and of its views
+    InHalfFloats in_half{};                        // as kept_in_half says
+    std::vector<const detail::Teller*> tellers{};  // of this air and of its views
+    detail::Teller teller{tellers};
 
     void tell();
 };

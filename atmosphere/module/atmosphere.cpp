@@ -171,7 +171,7 @@ Atmosphere::Impl::Impl(rhi::Device& device_in, const AtmosphereParameters& param
 
 void Atmosphere::Impl::tell() {
     in_half = detail::kept_in_half(*model, parameters);
-    detail::tell_outside(outside, outside_envelope(parameters), told);
+    teller.tell(outside_envelope(parameters));
 }
 
 Atmosphere::Atmosphere(rhi::Device& device, const AtmosphereParameters& parameters, const ModelPtr& model)

@@ -123,6 +123,27 @@ TEST_CASE("envelope: two views of an air say the same but once, and another valu
     CHECK(count(told(rig.view, 4e9), "camera.position_m: altitude in m: 4") == 1);
 }
 
+TEST_CASE("envelope: what a view said that is gone is said again, unless one that is left is outside with it") {
+    const auto cpu = open_cpu_float();
+    const Setup setup;
+    Rig rig(*cpu, setup);
+    const std::array suns{sun_at(30)};
+    const auto told = [&](View& view) { return logged([&] { view.update(camera_at(setup.air.planet, 2e9), suns); }); };
+    const auto made = [&] { return std::make_unique<View>(rig.air, setup.view, setup.composite); };
+    const std::string warning = "camera.position_m: altitude in m: 2";
+    auto first = made();
+    CHECK(count(told(*first), warning) == 1);
+    first.reset();
+    auto second = made();
+    CHECK(count(told(*second), warning) == 1);
+    auto third = made();
+    CHECK(told(*third) == "");
+    second.reset();
+    CHECK(told(*made()) == "");
+    third.reset();
+    CHECK(count(told(*made()), warning) == 1);
+}
+
 TEST_CASE("envelope: geometry at dusk by differences of half floats, where there is geometry") {
     const auto cpu = open_cpu_float();
     const auto told = [&](rhi::Format format, bool geometry) {

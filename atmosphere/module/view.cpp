@@ -166,7 +166,7 @@ struct View::Impl final : detail::AirUser {
     detail::ViewBlock block{};
     bool updated = false;
     bool deep = false;  // the camera is nearer to the planet's centre than to its ground
-    std::vector<OutsideEnvelope> outside;
+    detail::Teller teller{air.tellers};
     bool light_stale = true, block_stale = true, shadows_stale = true;
     ShadowMap shadow_map;
     detail::ShadowBlock shadow_block{};
@@ -187,7 +187,7 @@ void View::update(const Camera& camera, std::span<const Sun> suns) {
     impl.tell_if_deep(camera);
     InHalfFloats in_half = impl.air.in_half;
     in_half.difference &= impl.composite.scene_depth && impl.settings.aerial_perspective;
-    detail::tell_outside(impl.outside, outside_envelope(impl.air.parameters.planet, camera, suns, in_half), impl.air.told);
+    impl.teller.tell(outside_envelope(impl.air.parameters.planet, camera, suns, in_half));
     impl.camera = camera;
     impl.suns.assign(suns.begin(), suns.end());
     impl.updated = true;

@@ -11,7 +11,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <iterator>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -70,48 +72,70 @@ struct Line {
     const Base& base;
     const Sweep& axis;
     double value;
-    Subject subject;
+    const char* subject;
 };
-const char* name_of(Subject subject) { return subject == Subject::sky ? "sky" : "geometry"; }
 
 bool is_told() { return std::getenv("AUREOLE_STABILITY_PRINT") != nullptr; }
 
 void print(const Line& line, const Backend& backend, std::vector<double> errors) {
     std::ranges::sort(errors);
     const double p95 = errors[static_cast<std::size_t>(0.95 * static_cast<double>(errors.size() - 1))];
-    std::printf("\"%s\",%s,%s,%s,%s,%s,%.10g,%.3g,%.3g\n", line.model, backend.name, line.stored.name, name_of(line.subject),
+    std::printf("\"%s\",%s,%s,%s,%s,%s,%.10g,%.3g,%.3g\n", line.model, backend.name, line.stored.name, line.subject,
                 line.base.name, line.axis.name, line.value, p95, errors.back());
     std::fflush(stdout);
     if (is_told())
-        std::fprintf(stderr, "%s, %s, %s, %s, %s: %s %g: %.3g\n", line.model, backend.name, line.stored.name,
-                     name_of(line.subject), line.base.name, line.axis.name, line.value, errors.back());
+        std::fprintf(stderr, "%s, %s, %s, %s, %s: %s %g: %.3g\n", line.model, backend.name, line.stored.name, line.subject,
+                     line.base.name, line.axis.name, line.value, errors.back());
 }
 
-void tell_worst(const Scene& scene, Subject subject, std::span<const double> errors, std::span<const Rgb> seen,
-                std::span<const Rgb> exact) {
-    const auto i = static_cast<std::size_t>(std::ranges::max_element(errors) - errors.begin());
-    std::fprintf(stderr, "  %.3g: altitude %.10g m, sun at %g degrees, ", errors[i], scene.altitude_m, scene.sun_elevation_deg);
-    if (subject == Subject::sky) {
-        const glm::dvec3 view = scene.views()[i];
-        std::fprintf(stderr, "view at zenith angle %.7g, azimuth %.4g", std::acos(view.z), std::atan2(view.y, view.x));
-    } else {
-        std::fprintf(stderr, "pixel %zu, %zu", i % physics::Picture::width, i / physics::Picture::width);
-    }
-    std::fprintf(stderr, ": (%.6g %.6g %.6g), exact (%.6g %.6g %.6g)\n", seen[i].r, seen[i].g, seen[i].b, exact[i].r,
-                 exact[i].g, exact[i].b);
+std::size_t worst_of(std::span<const double> errors) {
+    return static_cast<std::size_t>(std::ranges::max_element(errors) - errors.begin());
+}
+
+std::string place_of(const Scene& scene, Subject subject, std::size_t i) {
+    std::ostringstream text;
+    text.precision(7);
+    const glm::dvec3 view = subject == Subject::sky ? scene.views()[i] : glm::dvec3();
+    if (subject == Subject::sky)
+        text << "view at zenith angle " << std::acos(view.z) << ", azimuth " << std::atan2(view.y, view.x);
+    else
+        text << "pixel " << i % physics::Picture::width << ", " << i / physics::Picture::width;
+    return text.str();
+}
+
+void tell(const char* subject, const Scene& scene, const std::string& place, double error, const Rgb& seen, const Rgb& exact) {
+    std::fprintf(stderr, "  %s, %.3g: altitude %.10g m, sun at %g degrees, %s: (%.6g %.6g %.6g), exact (%.6g %.6g %.6g)\n",
+                 subject, error, scene.altitude_m, scene.sun_elevation_deg, place.c_str(), seen.r, seen.g, seen.b, exact.r,
+                 exact.g, exact.b);
 }
 
 /// Infinite where there is a number that is none.
-std::vector<double> compare(Observer& observer, Observer& exact, const Scene& scene, Subject subject, bool half) {
+struct Errors {
+    std::vector<double> picture, black;
+    void add(const Errors& more) {
+        std::ranges::copy(more.picture, std::back_inserter(picture));
+        std::ranges::copy(more.black, std::back_inserter(black));
+    }
+};
+
+Errors compare(Observer& observer, Observer& exact, const Scene& scene, Subject subject, bool half) {
     const Exact right = exact_look(exact, scene, subject, half);
+    const bool with_black = subject == Subject::geometry;
     try {
         const std::vector<Rgb> seen = observer.look(scene, subject);
-        std::vector<double> errors = relative_errors(seen, right);
-        if (is_told()) tell_worst(scene, subject, errors, seen, right.here);
+        Errors errors{relative_errors(seen, right), with_black ? errors_of_black(seen, right) : std::vector<double>()};
+        if (!is_told()) return errors;
+        const std::size_t worst = worst_of(errors.picture);
+        tell(with_black ? "geometry" : "sky", scene, place_of(scene, subject, worst), errors.picture[worst], seen[worst],
+             right.here[worst]);
+        if (errors.black.empty()) return errors;
+        const std::size_t black = worst_of(errors.black), pixel = right.black[black];
+        tell("black", scene, place_of(scene, subject, pixel), errors.black[black], seen[pixel], right.here[pixel]);
         return errors;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
-        return {std::numeric_limits<double>::infinity()};
+        const std::vector<double> infinite{std::numeric_limits<double>::infinity()};
+        return {infinite, with_black ? infinite : std::vector<double>()};
     }
 }
 
@@ -130,14 +154,17 @@ void run(const Stored& stored, std::size_t rung, const Sweep& axis, std::span<co
                 for (const Backend& backend : all) observers.emplace_back(*backend.machine, rungs[rung].model);
                 exact = std::make_unique<Observer>(physics::cpu_double(), rungs[rung].model);
             }
-            for (const Subject subject : {Subject::sky, Subject::geometry})
-                for (std::size_t i = 0; i < all.size(); ++i) {
-                    std::vector<double> errors;
-                    for (const Scene& scene : scenes)
-                        std::ranges::copy(compare(observers[i], *exact, scene, subject, stored.half),
-                                          std::back_inserter(errors));
-                    print({rungs[rung].name, stored, base, axis, value, subject}, all[i], errors);
+            const auto line = [&](const char* subject) { return Line{rungs[rung].name, stored, base, axis, value, subject}; };
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                Errors sky, geometry;
+                for (const Scene& scene : scenes) {
+                    sky.add(compare(observers[i], *exact, scene, Subject::sky, stored.half));
+                    geometry.add(compare(observers[i], *exact, scene, Subject::geometry, stored.half));
                 }
+                print(line("sky"), all[i], sky.picture);
+                print(line("geometry"), all[i], geometry.picture);
+                if (!geometry.black.empty()) print(line("black"), all[i], geometry.black);
+            }
         }
 }
 

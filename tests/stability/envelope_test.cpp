@@ -19,28 +19,41 @@ using namespace aureole::stability;
 
 namespace {
 
+struct Errors {
+    double picture = 0;
+    double black = 0;  ///< Of black geometry, beside its own light.
+};
+
 /// A model in float beside itself in double.
 class Pair {
 public:
     explicit Pair(const Rung& rung, bool half = false)
         : rung_(rung), half_(half), seen_(physics::cpu_float(), rung.model), exact_(physics::cpu_double(), rung.model) {}
 
-    /// The largest error of all views and all geometry of all scenes. Of the path tracer that which 95 of 100 views stay below:
-    /// where a rounding decides about an event, the rest of that path is another one, which is noise.
-    [[nodiscard]] double error(std::span<const Scene> scenes, std::span<const Subject> subjects) {
-        std::vector<double> errors;
-        for (const Scene& scene : scenes)
-            for (const Subject subject : subjects) {
-                const Exact exact = exact_look(exact_, scene, subject, half_);
-                std::ranges::copy(relative_errors(seen_.look(scene, subject), exact), std::back_inserter(errors));
-            }
-        if (errors.empty()) return 0;
-        std::ranges::sort(errors);
-        return rung_.random ? errors[static_cast<std::size_t>(0.95 * static_cast<double>(errors.size() - 1))] : errors.back();
+    /// The largest of all views, or of all geometry, of all scenes. Of the path tracer that which 95 of 100 stay below: where a
+    /// rounding decides about an event, the rest of that path is another one, which is noise.
+    [[nodiscard]] Errors errors(std::span<const Scene> scenes, Subject subject) {
+        std::vector<double> of_picture, of_black;
+        for (const Scene& scene : scenes) {
+            const Exact exact = exact_look(exact_, scene, subject, half_);
+            const std::vector<Rgb> seen = seen_.look(scene, subject);
+            std::ranges::copy(relative_errors(seen, exact), std::back_inserter(of_picture));
+            if (subject == Subject::geometry) std::ranges::copy(errors_of_black(seen, exact), std::back_inserter(of_black));
+        }
+        return {largest(std::move(of_picture), rung_.random), largest(std::move(of_black), is_of_differences())};
     }
+    /// The light before near geometry is the difference of that of two whole rays.
+    [[nodiscard]] bool is_of_differences() const { return rung_.model->name() == "bruneton"; }
     [[nodiscard]] const Rung& rung() const { return rung_; }
 
 private:
+    /// Or that which 95 of 100 stay below.
+    [[nodiscard]] static double largest(std::vector<double> errors, bool but_for_a_few) {
+        if (errors.empty()) return 0;
+        std::ranges::sort(errors);
+        return but_for_a_few ? errors[static_cast<std::size_t>(0.95 * static_cast<double>(errors.size() - 1))] : errors.back();
+    }
+
     Rung rung_;
     bool half_;
     Observer seen_, exact_;
@@ -66,14 +79,16 @@ std::string text(const Scene& s) {
     return text.str();
 }
 
-constexpr Subject sky[] = {Subject::sky}, geometry[] = {Subject::geometry}, both[] = {Subject::sky, Subject::geometry};
+/// What the air before black geometry may be off, beside itself: ten times what geometry as a picture may. Of `bruneton` in 95
+/// of 100 pixels. Not of the path tracer, which finds an event in thin air or does not.
+constexpr double of_black = 0.1;
 
-void check(Pair& pair, std::span<const Scene> scenes, double bound, std::string_view what,
-           std::span<const Subject> subjects = sky) {
-    const double error = pair.error(scenes, subjects);
-    CHECK_MESSAGE(error <= (pair.rung().random ? 2 * bound : bound), std::string(pair.rung().name)
-                                                                         << ", " << std::string(what) << ": " << error << " at "
-                                                                         << text(scenes.front()));
+void check(Pair& pair, std::span<const Scene> scenes, double bound, std::string_view what, Subject subject = Subject::sky) {
+    const Errors found = pair.errors(scenes, subject);
+    const double noise = pair.rung().random ? 2 : 1;
+    const std::string about = std::string(pair.rung().name) + ", " + std::string(what) + ", at " + text(scenes.front());
+    CHECK_MESSAGE(found.picture <= noise * bound, about << ": " << found.picture);
+    if (!pair.rung().random) CHECK_MESSAGE(found.black <= of_black, about << ", black: " << found.black);
 }
 
 struct End {
@@ -122,7 +137,7 @@ void check_ends(std::vector<Pair> all, std::span<const End> some, std::size_t st
         for (Pair& pair : all) {
             if (pair.rung().random && step > 4) continue;  // 95 of 100 directions: of too few one path decides
             check(pair, taken, 0.01, some[i].axis);
-            check(pair, taken, of_geometry, some[i].axis, geometry);
+            check(pair, taken, of_geometry, some[i].axis, Subject::geometry);
         }
     }
 }
@@ -139,7 +154,8 @@ constexpr int random_scenes = 30;
 
 TEST_CASE("stability, envelope: 1 % of double at its ends") { check_ends(float_pairs(), ends(), sparse, 0.01); }
 
-TEST_CASE("stability, envelope: 1 % with tables in half floats, above a hundred of their steps") {
+// Of geometry 2 %: the air before it is a difference of entries.
+TEST_CASE("stability, envelope: 1 % with tables in half floats, above a hundred of their steps; 2 % of geometry") {
     std::vector<End> some = ends();
     std::erase_if(some, [](const End& end) { return std::string_view(end.axis) == "sun elevation"; });
     some.push_back({"sun elevation", least(EnvelopeAxis::half_sun_elevation_deg)});
@@ -155,7 +171,8 @@ TEST_CASE("stability, envelope: 0.1 % of double from 1 m to 1000 km above Earth"
         scene.air = presets::earth();
         scene.altitude_m = std::pow(10.0, 6 * even(random));
         scene.sun_elevation_deg = 90 - 108 * even(random);
-        for (Pair& pair : all) check(pair, {&scene, 1}, 1e-3, "Earth", both);
+        for (Pair& pair : all)
+            for (const Subject subject : {Subject::sky, Subject::geometry}) check(pair, {&scene, 1}, 1e-3, "Earth", subject);
     }
 }
 
@@ -178,6 +195,8 @@ TEST_CASE("stability, envelope: 1 % at random inside") {
         scene.altitude_m = altitude_m;
         scene.sun_elevation_deg = elevation_deg;
         CHECK(outside_envelope(scene.air).empty());
-        for (Pair& pair : all) check(pair, {&scene, 1}, 0.01, "at random", both);
+        for (Pair& pair : all)
+            for (const Subject subject : {Subject::sky, Subject::geometry})
+                check(pair, {&scene, 1}, 0.01, "at random", subject);
     }
 }

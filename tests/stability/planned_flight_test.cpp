@@ -1,5 +1,5 @@
 // The same flights and sunsets by a sky that follows its plan: where one plan gives way to another, nothing is seen to jump
-// but the share of their difference that a frame fades in.
+// but what jumps in both by themselves, and the share of their difference that a frame fades in.
 //
 // CI looks at the frames around the switches; AUREOLE_STABILITY_CASES=2000 takes all.
 #include "stability/flight.h"
@@ -170,17 +170,20 @@ struct Found {
     int switches = 0, models = 0;
     double mixed = 0;   ///< How far a frame is from the mean of both plans, weighted with their shares.
     double apart = 0;   ///< The largest difference of two plans.
-    double excess = 0;  ///< Of jumps, over those of both plans alone and the fade's share of their difference.
+    double excess = 0;  ///< Of a frame's jump, over those of both plans alone, by their shares, and the fade's own.
+    double fade = 0;    ///< The largest jump of a fade's own, where a frame is of more of the new plan than the one before.
     double jump = 0;    ///< More than the scene's, as in flight_test.cpp.
 };
 
 double least_of(const Moment& m) { return 1e-4 * brightest(m.shown) + 1e-10; }
 
-/// With d = after - before and s growing by e = 1 / fade_frames or not at all, the second difference of before + s d is that of
-/// `before` and `after` in these shares, and e |d| / 2 of the next frame where the fade begins or of the last one where it
-/// ends, and e |d+ - d-| / 2 where d changes.
+/// With d = after - before and s the share, which grows by e- and then by e+, the second difference of before + s d is that of
+/// `before` and of `after` in the shares of the middle, and (e- d- - e+ d+) / 2, e being 1 / fade_frames at most.
 void compare(Found& found, const Moment& a, const Moment& m, const Moment& b) {
     const double least = least_of(m);
+    const auto grown = [](const Moment& from, const Moment& to) {
+        return std::clamp(to.share - from.share, 0.0, 1.0 / fade_frames);
+    };
     for (std::size_t i = 0; i < m.shown.size(); ++i)
         for (int c = 0; c < 3; ++c) {
             const auto bend = [&](const auto& of) { return std::abs(of(m) - (of(a) + of(b)) / 2); };
@@ -188,10 +191,10 @@ void compare(Found& found, const Moment& a, const Moment& m, const Moment& b) {
             const double old_plan = bend([&](const Moment& x) { return x.before[i][c]; });
             const double new_plan = bend([&](const Moment& x) { return x.after[i][c]; });
             const auto apart = [&](const Moment& x) { return x.after[i][c] - x.before[i][c]; };
-            const double share =
-                (std::max(std::abs(apart(a)), std::abs(apart(b))) + std::abs(apart(b) - apart(a))) / (2.0 * fade_frames);
+            const double fade = std::abs(grown(a, m) * apart(a) - grown(m, b) * apart(b)) / 2;
             const double light = std::max({m.shown[i][c], a.shown[i][c], b.shown[i][c], least});
-            found.excess = std::max(found.excess, (shown - (1 - m.share) * old_plan - m.share * new_plan - share) / light);
+            found.fade = std::max(found.fade, fade / light);
+            found.excess = std::max(found.excess, (shown - (1 - m.share) * old_plan - m.share * new_plan - fade) / light);
         }
 }
 
@@ -227,12 +230,13 @@ Found fly(const Flight& flight, double tolerance, const std::set<int>& wanted) {
             after = std::make_unique<Alone>(sky.plan());
             // A fade that has just ended, or ends as this one begins, is of other plans.
             if (std::ranges::any_of(moments, [](const Moment& m) { return m.share < 1; })) moments.clear();
-            for (Moment& m : moments) m.before = m.after, m.share = 0;  // what was new is old
+            for (Moment& m : moments)  // what was new is old
+                m.before = m.after, m.after = after->show(frame_of(flight, m.frame)), m.share = 0;
         }
         if (!all && !wanted.contains(i)) continue;
         if (!moments.empty() && moments.back().frame != i - 1) moments.clear(), jumps.cut();
         const bool is_outside = f.altitude_m > 100e3;  // other directions are looked in from beyond the air
-        if (is_outside != was_outside) jumps.cut();
+        if (is_outside != was_outside) moments.clear(), jumps.cut();
         was_outside = is_outside;
         moments.push_back({i, sky.show(f), before->show(f), after->show(f), update.share});
         check_mix(found, moments.back());
@@ -250,13 +254,14 @@ Found fly(const Flight& flight, double tolerance, const Course& course) {
     const Found found = fly(flight, tolerance, frames_wanted() >= frames ? std::set<int>() : course.around_switches);
     if (std::getenv("AUREOLE_STABILITY_PRINT") != nullptr)
         std::printf(
-            "| %s, within %g %% | %d switches, %d models | apart %.2f %% | mixed %.2g %% | excess %.2g %% | jump %.2f %% |\n",
+            "| %s, within %g %% | %d switches, %d models | apart %.2f %% | mixed %.2g %% | excess %.2g %% | "
+            "fade %.2f %% | jump %.2f %% |\n",
             flight.name, 100 * tolerance, found.switches, found.models, 100 * found.apart, 100 * found.mixed,
-            100 * found.excess, 100 * found.jump);
+            100 * found.excess, 100 * found.fade, 100 * found.jump);
     return found;
 }
 
-/// Of the frames alone: what they mix, to rounding, and no jump beyond those of both plans and of the fade.
+/// Whatever the plans are: frames are what they mix, to rounding, and so jump no more than both plans and the fade's own share.
 void check_fades(const Found& found) {
     CHECK(found.switches >= 1);
     CHECK(found.mixed <= 1e-5);
@@ -265,7 +270,7 @@ void check_fades(const Found& found) {
 
 }  // namespace
 
-TEST_CASE("stability, frame by frame: a sky that follows its plan changes plans underway, and nothing jumps" *
+TEST_CASE("stability, frame by frame: a sky that follows its plan changes plans underway, and jumps no more than they do" *
           doctest::test_suite("long")) {
     // Two of the flights in CI. How often they switch is the planner's table's to say: between them three times at least.
     constexpr double tolerance = 0.1;
@@ -277,13 +282,11 @@ TEST_CASE("stability, frame by frame: a sky that follows its plan changes plans 
         const Found found = fly(flight, tolerance, course_of(flight, tolerance));
         switches += found.switches;
         check_fades(found);
-        // Half of a frame's share in the difference where a fade begins or ends, and a third more than was found of both.
-        CHECK(found.jump <= 0.0028 + found.apart / (2 * fade_frames));
     }
     CHECK(switches >= 3);
 }
 
-TEST_CASE("stability, frame by frame: one model gives way to another underway, and nothing jumps" *
+TEST_CASE("stability, frame by frame: one model gives way to another underway, and jumps no more than both do" *
           doctest::test_suite("long")) {
     // Within so little that simpler models do for a part of a flight. Which, and where, is the planner's table's to say.
     for (const double tolerance : {0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 5.0})

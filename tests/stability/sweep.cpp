@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <stdexcept>
@@ -193,7 +194,7 @@ double distance_to_sphere(double radius, double r, double mu) {
 }
 
 /// From the camera, no farther than the ground; seen from beyond the air, so far before the ground, or before the lowest point
-/// of a line that misses it: the air's top is empty.
+/// of a line that misses it, but with ten metres of air at least.
 double distance_of(const Scene& scene, const glm::dvec3& direction, double in_air_m) {
     const Planet& planet = scene.air.planet;
     const double r = planet.bottom_radius_m + scene.altitude_m;
@@ -202,10 +203,13 @@ double distance_of(const Scene& scene, const glm::dvec3& direction, double in_ai
     if (r <= planet.top_radius_m) return std::min(in_air_m, ground);
     const double entry = distance_to_sphere(planet.top_radius_m, r, direction.z);
     if (!std::isfinite(entry)) return scene.altitude_m + in_air_m;  // no air there
-    return std::max(std::min(ground, -r * direction.z) - in_air_m, entry);
+    const double farthest = std::min(ground, -r * direction.z);
+    return std::max(farthest - in_air_m, std::min(entry + 10, farthest));
 }
 
-constexpr double step = static_cast<double>(std::numeric_limits<float>::epsilon());
+/// Of a float of a distance in kilometres, in which kernels work.
+double step_of_distance(double distance_m) { return 1e3 * std::ldexp(1.0, std::ilogb(1e-3 * distance_m) - 23); }
+constexpr double step_of_direction = static_cast<double>(std::numeric_limits<float>::epsilon());
 
 /// Horizon and ground in one picture, or the whole planet where it is small.
 Camera camera_of(const Scene& scene, double tilt_rad) {
@@ -227,17 +231,17 @@ std::vector<Rgb> Observer::geometry(const Scene& scene, int farther, int tilted)
         picture_->air().set_parameters(scene.air);
     }
     picture_->place(camera_of(scene, 0), scene.all_suns());
-    std::vector<double> distances;
+    distances_.clear();
     std::vector<Rgb> colors;
     for (std::uint32_t y = 0; y < physics::Picture::height; ++y)
         for (std::uint32_t x = 0; x < physics::Picture::width; ++x) {
             constexpr double in_air_m[] = {10, 300, 5e3, 5e4};
             const double distance = distance_of(scene, picture_->direction(x, y), in_air_m[x % 4]);
-            distances.push_back(distance * (1 + farther * step));
+            distances_.push_back(distance + farther * step_of_distance(distance));
             colors.push_back(is_black(colors.size()) ? Rgb(0) : Rgb(0.05 * scene.irradiance));
         }
-    if (tilted != 0) picture_->place(camera_of(scene, tilted * step), scene.all_suns());
-    return picture_->render(distances, colors);
+    if (tilted != 0) picture_->place(camera_of(scene, tilted * step_of_direction), scene.all_suns());
+    return picture_->render(distances_, colors);
 }
 
 std::vector<Rgb> Observer::sky(const Scene& scene) {
@@ -258,21 +262,21 @@ std::vector<Rgb> Observer::sky(const Scene& scene) {
 namespace {
 
 /// What the sun's beam gives level ground of reflectance 1, 1/sr, through the air above it.
-double beam_on_ground(const Scene& scene) {
+Rgb beam_on_ground(const Scene& scene) {
     const double sine = std::sin(scene.sun_elevation_deg * degree);
-    if (sine <= 0) return 0;
-    const Rgb depth = vertical_optical_depth(scene.air);
-    return scene.irradiance * sine / pi * std::exp(-std::min({depth.r, depth.g, depth.b}) / sine);
+    if (sine <= 0) return Rgb(0);
+    return scene.irradiance * sine / pi * glm::exp(-vertical_optical_depth(scene.air) / sine);
 }
 
-double mean_away_from_suns(const Scene& scene, std::span<const Rgb> sky) {
+Rgb mean_away_from_suns(const Scene& scene, std::span<const Rgb> sky) {
     const std::vector<glm::dvec3> views = scene.views();
-    double sum = 0, count = 0;
+    Rgb sum(0);
+    double count = 0;
     for (std::size_t i = 0; i < sky.size(); ++i) {
         bool near_sun = false;
         for (const Sun& sun : scene.all_suns())
             near_sun = near_sun || glm::dot(views[i], sun.direction) > std::cos(10 * degree + sun.angular_radius_rad);
-        if (!near_sun) sum += physics::sum(sky[i]) / 3, ++count;
+        if (!near_sun) sum += sky[i], ++count;
     }
     return sum / std::max(count, 1.0);
 }
@@ -288,29 +292,44 @@ void widen(Exact& exact, std::span<const Rgb> other) {
 
 Exact exact_look(Observer& in_double, const Scene& scene, Subject subject, bool half_tables) {
     const std::vector<Rgb> sky = in_double.look(scene);
-    const double mean = mean_away_from_suns(scene, sky), steps = half_tables ? 100 * 6e-8 : 0;
-    Exact exact{sky, sky, sky, 1e-3 * mean};
+    const Rgb mean = mean_away_from_suns(scene, sky);
+    const double steps = half_tables ? 100 * 6e-8 : 0;
+    Exact exact{sky, sky, sky, Rgb(1e-3 * physics::sum(mean) / 3), std::max((1e-12 + steps) * scene.irradiance, 1e-300), {}};
     if (subject == Subject::geometry) {
         exact.here = exact.least = exact.most = in_double.look(scene, subject);
+        for (std::size_t i = 0; i < exact.here.size(); ++i)
+            if (is_black(i) && in_double.distances_m()[i] >= 1) exact.black.push_back(i);
         for (const int one : {-1, 1}) {
             widen(exact, in_double.geometry(scene, 2 * one));
             widen(exact, in_double.geometry(scene, 0, one));
         }
         exact.least_light = 0.04 * (mean + beam_on_ground(scene));
     }
-    exact.least_light = std::max({exact.least_light, (1e-12 + steps) * scene.irradiance, 1e-300});
+    exact.least_light = glm::max(exact.least_light, Rgb(exact.faintest));
     return exact;
 }
 
+namespace {
+
+double relative_error(const Rgb& seen, const Exact& exact, std::size_t i, const Rgb& least_light) {
+    double worst = 0;
+    for (int c = 0; c < 3; ++c)
+        worst = std::max(worst, std::max(seen[c] - exact.most[i][c], exact.least[i][c] - seen[c]) /
+                                    std::max(exact.here[i][c], least_light[c]));
+    return worst;
+}
+
+}  // namespace
+
 std::vector<double> relative_errors(std::span<const Rgb> seen, const Exact& exact) {
     std::vector<double> errors;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        double worst = 0;
-        for (int c = 0; c < 3; ++c)
-            worst = std::max(worst, std::max(seen[i][c] - exact.most[i][c], exact.least[i][c] - seen[i][c]) /
-                                        std::max(exact.here[i][c], exact.least_light));
-        errors.push_back(worst);
-    }
+    for (std::size_t i = 0; i < seen.size(); ++i) errors.push_back(relative_error(seen[i], exact, i, exact.least_light));
+    return errors;
+}
+
+std::vector<double> errors_of_black(std::span<const Rgb> seen, const Exact& exact) {
+    std::vector<double> errors;
+    for (const std::size_t i : exact.black) errors.push_back(relative_error(seen[i], exact, i, Rgb(exact.faintest)));
     return errors;
 }
 

@@ -70,6 +70,8 @@ public:
     }
     /// Geometry so many steps of a float farther away, by a camera tilted by so many.
     [[nodiscard]] std::vector<Rgb> geometry(const Scene& scene, int farther = 0, int tilted = 0);
+    /// Of the last geometry.
+    [[nodiscard]] const std::vector<double>& distances_m() const { return distances_; }
 
 private:
     [[nodiscard]] std::vector<Rgb> sky(const Scene& scene);
@@ -78,25 +80,33 @@ private:
     ModelPtr model_;
     std::unique_ptr<physics::Sky> sky_;
     std::unique_ptr<physics::Picture> picture_;
+    std::vector<double> distances_;
     std::uint32_t suns_ = 0, suns_of_picture_ = 0;
     bool sun_disk_ = false;
 };
 
 /// What a model in float is compared with. Of geometry all that it may be by a distance and by directions in float: from two
-/// steps nearer to two steps farther, of 64 m at 10^6 km (the depth buffer's own, and that of what is worked out from it), and
-/// from a step (1.2e-7 rad, less than a thousandth of a pixel) lower to a step higher.
+/// steps of the distance in kilometres nearer to two steps farther, of 62.5 m at 10^6 km (the depth buffer's own, and that of
+/// what is worked out from it), and from a step (1.2e-7 rad, less than a thousandth of a pixel) lower to a step higher.
 struct Exact {
     std::vector<Rgb> here, least, most;
-    /// Errors are relative to `here`, or to this where there is less.
-    double least_light = 0;
+    /// Errors are relative to `here`, or to this where there is less, in each channel.
+    Rgb least_light{0};
+    /// The same of black geometry beside its own light.
+    double faintest = 0;
+    /// Pixels of black geometry that is a metre away at least: the distance axis of froxels up to 96 km has steps of
+    /// millimetres.
+    std::vector<std::size_t> black;
 };
 
 /// By the model in double. Less light than this is not looked at closely, of the sky: a thousandth of its mean away from the
 /// sun, ten stops below what an exposure is made for. Of geometry: what coal sends, of reflectance 0.04, in that sky and in the
-/// beam of the sun. Of both: a thousandth of a night without a moon (1e-9 of the sun's); and with tables of half floats a
-/// hundred of their smallest steps (6e-8 of the sun's), of which one is a per cent.
+/// beam of the sun, in each channel. Of all: a thousandth of a night without a moon (1e-9 of the sun's); and with tables of
+/// half floats a hundred of their smallest steps (6e-8 of the sun's), of which one is a per cent.
 [[nodiscard]] Exact exact_look(Observer& in_double, const Scene& scene, Subject subject, bool half_tables);
 /// Of each view, in the channel where it is largest.
 [[nodiscard]] std::vector<double> relative_errors(std::span<const Rgb> seen, const Exact& exact);
+/// Of each pixel of `Exact::black`, beside what the air before it sends, however little.
+[[nodiscard]] std::vector<double> errors_of_black(std::span<const Rgb> seen, const Exact& exact);
 
 }  // namespace aureole::stability

@@ -24,6 +24,10 @@ public:
         Entry& entry = worst_[what];
         ++entry.count;
         if (std::isnan(error)) error = std::numeric_limits<double>::infinity();
+        if (error > 1) ++entry.failed;
+        if (error > 1 && std::getenv("AUREOLE_STABILITY_PRINT") != nullptr)
+            std::printf("%s: %s: %.3g of its bound, case %llu\n", title_.c_str(), what.c_str(), error,
+                        static_cast<unsigned long long>(c.index()));
         if (entry.count > 1 && !(error > entry.error)) return;
         entry.error = error;
         entry.index = c.index();
@@ -39,15 +43,27 @@ public:
             if (print)
                 std::printf("%s: %s: %.3g of its bound, case %llu, of %llu\n", title_.c_str(), what.c_str(), entry.error,
                             static_cast<unsigned long long>(entry.index), static_cast<unsigned long long>(entry.count));
-            CHECK_MESSAGE(entry.error <= 1,
-                          title_ << ": " << what << ": " << entry.error << " of its bound. " << Case(entry.index).text());
+            CHECK_MESSAGE(entry.error <= 1, title_ << ": " << what << ": " << entry.error << " of its bound, " << entry.failed
+                                                   << " fail; the worst: " << Case(entry.index).text());
+        }
+    }
+
+    /// Of a case that is known to fail: this one is more than its bound, but no more than `most` times it, and all else is
+    /// within.
+    void verify_known(const std::string& known, double most) const {
+        REQUIRE(worst_.contains(known));
+        for (const auto& [what, entry] : worst_) {
+            INFO(title_ << ": " << what << ": " << entry.error << " of its bound. " << Case(entry.index).text());
+            CHECK(entry.error <= (what == known ? most : 1));
+            if (what == known)
+                CHECK_MESSAGE(entry.error > 1, "It holds now: take it from the known ones, here and in stability.md");
         }
     }
 
 private:
     struct Entry {
         double error = 0;
-        std::uint64_t index = 0, count = 0;
+        std::uint64_t index = 0, count = 0, failed = 0;
     };
     std::string title_;
     std::map<std::string, Entry> worst_;

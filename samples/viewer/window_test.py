@@ -246,7 +246,7 @@ def check_flight():
         type saved.toml
         click "Save scene"
         quit
-        """, 'scene.toml')
+        """, 'scene.toml', '--validation')
     altitudes = [float(line.split(' = ')[1]) for line in said.splitlines() if line.startswith('camera.altitude_m')]
     # 1.5 s at 0.8 of the height a second: 100 m exp(1.2).
     check(len(altitudes) == 2 and 280 < altitudes[0] < 380, f'flown up to {altitudes}')

@@ -155,6 +155,8 @@ TEST_CASE("studio: passes, counts, tables and curves of a picture") {
     CHECK(pass("composite").bytes_written == width * height * 4);
     CHECK(std::ranges::any_of(pane.work, [](const cpu::PipelineWork& w) { return w.counts.evaluations > 0; }));
     CHECK(pane.table_bytes > 0);
+    CHECK(std::ranges::find(pane.table_names, "transmittance") != pane.table_names.end());
+    CHECK(std::ranges::find(pane.table_names, "aerial_perspective") == pane.table_names.end());  // there is no land
     REQUIRE(pane.table);
     CHECK(pane.table->name == "sky_view");
     CHECK(pane.table->greatest > 0);

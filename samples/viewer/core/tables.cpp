@@ -33,6 +33,7 @@ std::vector<TableInfo> tables_of(const Atmosphere& air, const View& view) {
     const auto add = [&](const char* name, rhi::Texture texture) {
         const rhi::TextureDesc* desc = texture ? air.device().find(texture) : nullptr;
         if (!desc || !rhi::has(desc->usage, rhi::Usage::copy_source)) return;
+        if (desc->extent == rhi::Extent{1, 1, 1}) return;  // stands in for one that is not made
         const int slices = desc->dimension == rhi::Dimension::cube ? 6 : static_cast<int>(desc->extent.depth);
         tables.push_back({name, texture, desc->format, desc->extent, slices});
     };

@@ -9,7 +9,9 @@ void edit_number(Session& session, const Field& field) {
     if (field.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
     // By powers of ten nothing begins at 0; that can be typed.
     const double least = field.logarithmic && field.least == 0 ? field.most * 1e-9 : field.least;
-    if (ImGui::SliderScalar(field.label.c_str(), ImGuiDataType_Double, &value, &least, &field.most, "%.5g", flags))
+    // ImGui takes for zero what the format would not show of a fixed point number.
+    const char* format = field.logarithmic && least < 1e-4 ? "%.9g" : "%.5g";
+    if (ImGui::SliderScalar(field.label.c_str(), ImGuiDataType_Double, &value, &least, &field.most, format, flags))
         attempt(session, [&] { set_number(session.state, field, value); });
 }
 

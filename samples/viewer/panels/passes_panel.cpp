@@ -5,8 +5,13 @@ namespace {
 
 constexpr ImGuiTableFlags ruled = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit;
 
-void header(std::initializer_list<const char*> titles) {
-    for (const char* title : titles) ImGui::TableSetupColumn(title);
+struct Column {
+    const char* title;
+    float width;  ///< What ImGui would find out takes it some frames.
+};
+
+void header(std::initializer_list<Column> columns) {
+    for (const Column& column : columns) ImGui::TableSetupColumn(column.title, ImGuiTableColumnFlags_WidthFixed, column.width);
     ImGui::TableHeadersRow();
 }
 
@@ -18,7 +23,7 @@ void cell(const char* format, Values... values) {
 
 void passes(const PanePicture& pane) {
     if (!ImGui::BeginTable("passes", 4, ruled)) return;
-    header({"pass", "ms", "invocations", "KiB written"});
+    header({{"pass", 150}, {"ms", 70}, {"invocations", 80}, {"KiB written", 80}});
     for (const PassFigure& pass : pane.passes) {
         if (!pass.recorded) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
         cell("%s", pass.name.c_str());
@@ -32,7 +37,7 @@ void passes(const PanePicture& pane) {
 
 void work(const PanePicture& pane) {
     if (pane.work.empty() || !ImGui::BeginTable("work", 5, ruled)) return;
-    header({"pipeline", "ms", "evaluations", "samples", "stores"});
+    header({{"pipeline", 145}, {"ms", 50}, {"evaluations", 76}, {"samples", 60}, {"stores", 50}});
     for (const cpu::PipelineWork& w : pane.work) {
         cell("%s", w.pipeline.c_str());
         cell("%.3f", w.seconds * 1e3);

@@ -74,7 +74,7 @@ void table_panel(Session& session) {
         return;
     }
     const TableSlice& table = *pane->table;
-    ImGui::Text("%ux%u, %d slices, %s, greatest %.5g", table.width, table.height, table.slices, rhi::to_string(table.format),
+    ImGui::Text("%ux%u, slices: %d, %s, greatest %.5g", table.width, table.height, table.slices, rhi::to_string(table.format),
                 static_cast<double>(table.greatest));
     show(session, table);
     if (!session.texel) return;

@@ -246,20 +246,24 @@ void App::draw_labels() {
     }
     char line[256];
     const app::Scene& scene = session_.state.scene;
-    std::snprintf(line, sizeof line, "%.4g m, looking %.1f deg, %.1f deg up; sun %.2f deg up; speed %.3g m/s",
-                  session_.altitude_m(), scene.camera.pose.bearing_deg, scene.camera.pose.elevation_deg,
-                  scene.suns.empty() ? -90.0 : scene.suns.front().pose.elevation_deg,
-                  flight_speed(session_.altitude_m() - session_.ground_m()));
     const auto bottom = static_cast<float>(a.height);
+    std::snprintf(line, sizeof line, "%.4g m up, %.3g m/s; bearing %.1f deg, %.1f deg up", session_.altitude_m(),
+                  flight_speed(session_.altitude_m() - session_.ground_m()), scene.camera.pose.bearing_deg,
+                  scene.camera.pose.elevation_deg);
     label(left, bottom - 20, line);
+    if (!scene.suns.empty()) {
+        std::snprintf(line, sizeof line, "sun: bearing %.2f deg, %.2f deg up", scene.suns.front().pose.bearing_deg,
+                      scene.suns.front().pose.elevation_deg);
+        label(left, bottom - 40, line);
+    }
     if (session_.mouse_pose) {
         std::snprintf(line, sizeof line, "mouse: bearing %.2f deg, %.2f deg up", session_.mouse_pose->bearing_deg,
                       session_.mouse_pose->elevation_deg);
-        label(left, bottom - 40, line);
+        label(left, bottom - 60, line);
     }
     const bool drawing = submitted_number_ != session_.shown.number;
     if (drawing || !session_.message.empty())
-        label(left, bottom - 60, drawing ? "drawing ... " + session_.message : session_.message);
+        label(left, bottom - 80, drawing ? "drawing ... " + session_.message : session_.message);
 }
 
 }  // namespace aureole::viewer

@@ -204,8 +204,13 @@ def check_comparison():
         click tab.Passes
         wait 2
         screenshot passes.png
+        resize 620 300
+        settle
+        wait 2
+        screenshot resized.png
+        picture shown small.png
         quit
-        """, 'scene.toml')
+        """, 'scene.toml', '--validation')
     check(Picture('none.png').greatest() == 0, 'two equal panes differ')
     check(Picture('some.png').greatest() > 60, 'two models do not differ')
     check('b.model = hillaire' in said, f'clicking on a model did not choose it: {said}')
@@ -215,6 +220,9 @@ def check_comparison():
     at = round(divider * split.width)
     check(split.crop(0, at).apart(left.crop(0, at)) == (0, 0), 'left of the divider is not pane A')
     rest = split.width - at - 1
+    resized, small = Picture('resized.png'), Picture('small.png')
+    check((resized.width, resized.height) == (620, 300), f'resized to {resized.width}x{resized.height}')
+    check((small.width, small.height) == ((620 - COLUMN) // 2, 150), f'the picture of a smaller window is {small.width}x{small.height}')
     check(split.crop(at + 1, rest).apart(right.crop(at + 1, rest)) == (0, 0), 'right of the divider is not pane B')
 
 

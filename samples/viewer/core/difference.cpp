@@ -38,7 +38,8 @@ Difference difference(const app::LinearImage& a, const app::LinearImage& b) {
     for (std::size_t i = 0; i < pixels; ++i) {
         const double of_a = luminance(a.rgb.data() + 3 * i), apart = luminance(b.rgb.data() + 3 * i) - of_a;
         const double by = std::max(of_a, darkest_share * mean);
-        const double share = apart == 0 ? 0 : by > 0 ? apart / by : 1e9;
+        // Beyond any range where there is no telling: nothing to compare with, or no number.
+        const double share = apart == 0 ? 0 : by > 0 && std::isfinite(apart) ? apart / by : 1e9;
         result.relative.push_back(static_cast<float>(share));
         absolute.push_back(static_cast<float>(std::abs(share)));
     }

@@ -17,11 +17,12 @@ struct Command {
     std::size_t least, most;  ///< Words after it.
     std::string_view usage;
 };
-constexpr std::array<Command, 19> commands{{
+constexpr std::array<Command, 20> commands{{
     {"set", 2, 2, "set FIELD VALUE"},
     {"print", 1, 1, "print FIELD"},
     {"load", 1, 1, "load FILE"},
     {"save", 1, 1, "save FILE"},
+    {"resize", 2, 2, "resize WIDTH HEIGHT"},
     {"wait", 1, 1, "wait FRAMES"},
     {"settle", 0, 0, "settle"},
     {"mouse", 2, 2, "mouse X Y"},
@@ -147,6 +148,10 @@ bool ScriptRunner::step(Stage& stage, const ScriptLine& line) {
     if (command == "print") return stage.print(w[1]), true;
     if (command == "load") return stage.load(w[1]), true;
     if (command == "save") return stage.save(w[1]), true;
+    if (command == "resize") {
+        if (frame_ == 0) stage.resize(whole(w[1]), whole(w[2]));
+        return frame_ > 2;  // the window system has its own pace
+    }
     if (command == "wait") return frame_ >= whole(w[1]);
     if (command == "settle") return frame_ >= 2 && stage.settled();  // the state of a frame is submitted at its end
     if (command == "type") return frame_ == 0 ? (stage.type(w[1]), false) : true;

@@ -45,6 +45,7 @@ public:
     virtual void print(const std::string& field) = 0;
     virtual void load(const std::filesystem::path& file) = 0;
     virtual void save(const std::filesystem::path& file) = 0;
+    virtual void resize(int width, int height) = 0;  ///< The window, pixels.
     /// The panes show the newest state.
     [[nodiscard]] virtual bool settled() = 0;
 

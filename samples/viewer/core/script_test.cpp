@@ -17,6 +17,7 @@ public:
     void print(const std::string& field) override { write("print " + field); }
     void load(const std::filesystem::path& file) override { write("load " + file.string()); }
     void save(const std::filesystem::path& file) override { write("save " + file.string()); }
+    void resize(int width, int height) override { write("resize " + std::to_string(width) + "," + std::to_string(height)); }
     bool settled() override { return settled_at <= frame; }
     void mouse(double x, double y) override { write("mouse " + std::to_string(int(x)) + "," + std::to_string(int(y))); }
     void button(int index, bool down) override { write((down ? "down " : "up ") + std::to_string(index)); }
@@ -73,6 +74,7 @@ TEST_CASE("script: lines, words, quotes and comments") {
 TEST_CASE("script: what needs no frame happens at once, input takes its frames") {
     CHECK(Diary().run("set x 1\nprint x\nload a\nsave b\nquit\nset y 2\n") == "0: set x 1; print x; load a; save b; quit");
     CHECK(Diary().run("wait 3\nprint x\n") == "3: print x");
+    CHECK(Diary().run("resize 30 40\nprint x\n") == "0: resize 30,40 | 3: print x");
     CHECK(Diary().run("click OK\nprint x\n") == "0: at OK | 1: at OK | 2: at OK | 3: down 0 | 4: up 0 | 6: print x");
     CHECK(Diary().run("key w 2\nprint x\n") == "0: +w | 2: -w | 3: print x");
     CHECK(Diary().run("drag right 0 0 8 4\nprint x\n") ==

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 
 namespace aureole::viewer {
 namespace {
@@ -45,8 +46,7 @@ App::~App() = default;
 
 void App::run() {
     while (!quit_ && !window_.wants_to_close()) {
-        const bool awake = session_.playing_s || drag_ != Drag::none || ImGui::GetIO().WantTextInput;
-        window_.poll(!worker_.idle() ? 0.01 : script_ ? 0 : awake ? 0.005 : 0.05);
+        window_.poll(!worker_.idle() ? 0.01 : script_ ? 0 : in_motion() ? 0.005 : 0.2);
         const VkExtent2D now = window_.size();
         if (now.width == 0 || now.height == 0) continue;
         if (now.width != size_.width || now.height != size_.height) screen_.resize(now);
@@ -55,6 +55,13 @@ void App::run() {
     }
     if (gpu_.findings() > 0)
         throw Error(ErrorCode::internal, "the validation layer has found " + std::to_string(gpu_.findings()) + " faults");
+}
+
+/// Something goes on without anybody doing more.
+bool App::in_motion() const {
+    if (session_.playing_s || session_.recording || drag_ != Drag::none || ImGui::GetIO().WantTextInput) return true;
+    if (ImGui::IsAnyMouseDown()) return true;
+    return std::ranges::any_of(std::string_view("WASDQE"), [](char key) { return ImGui::IsKeyDown(key); });
 }
 
 void App::frame() {

@@ -29,6 +29,7 @@ public:
     void print(const std::string& field) override;
     void load(const std::filesystem::path& file) override { session_.load(file); }
     void save(const std::filesystem::path& file) override { session_.save(file); }
+    void resize(int width, int height) override { window_.resize(width, height); }
     [[nodiscard]] bool settled() override;
     void mouse(double x, double y) override { input_.mouse(x, y); }
     void button(int index, bool down) override { input_.button(index, down); }
@@ -45,6 +46,7 @@ public:
 
 private:
     void frame();
+    [[nodiscard]] bool in_motion() const;
     void take_pictures();
     void build_column(float height);
     void advance(double seconds);

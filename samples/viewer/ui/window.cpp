@@ -60,6 +60,13 @@ VkExtent2D Window::size() const {
     return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
 }
 
+void Window::resize(int width, int height) {
+    if (width < 200 || height < 100 || width > 16384 || height > 16384)
+        throw Error(ErrorCode::invalid_argument, "size", std::to_string(width) + "x" + std::to_string(height),
+                    "200x100 to 16384x16384");
+    glfwSetWindowSize(window_, width, height);
+}
+
 void Window::poll(double seconds) {
     if (seconds > 0)
         glfwWaitEventsTimeout(seconds);

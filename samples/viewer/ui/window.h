@@ -25,6 +25,8 @@ public:
     [[nodiscard]] bool wants_to_close() const;
     /// Pixels; 0 x 0 while it is minimized.
     [[nodiscard]] VkExtent2D size() const;
+    /// Error(invalid_argument) below 200 x 100 or above 16384.
+    void resize(int width, int height);
     /// What people have done; waits for it up to so many seconds.
     void poll(double seconds);
 

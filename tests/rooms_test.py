@@ -14,7 +14,7 @@ SCRIPTS = {'.py'}  # held to their length alone
 MAX_LINES = 400
 ROOMS = {'rhi', 'atmosphere', 'backends', 'samples', 'tests', 'docs', 'cmake'}
 AT_THE_TOP = ROOMS | {'CMakeLists.txt', 'CMakePresets.json', 'README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'LICENSE', 'demo.sh',
-                      'test.sh', 'out', '__pycache__', 'compile_commands.json'}
+                      'test.sh', 'vcpkg.json', 'conanfile.py', 'out', '__pycache__', 'compile_commands.json'}
 
 # (folder, what its files must not contain, tests are held to it too, why)
 RULES = [

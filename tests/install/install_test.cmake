@@ -1,7 +1,7 @@
 # Installs a build into a staging folder, moves it (a package must not know where it was born), and configures, builds and runs
 # the outside project beside this file against it.
-# Then the shader that it wrote, which includes the installed look-ups, is compiled, and a second project without any backend is
-# built and run.
+# Then the shader that it wrote, which includes the installed look-ups, is compiled, a second project without any backend is built
+# and run, and a program that knows nothing but what pkg-config says.
 #   cmake -D BUILD_DIR=... -D WORK_DIR=... -D CXX_COMPILER=... -D GLSLANG=... -P install_test.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -23,6 +23,14 @@ foreach(page LICENSE README.md docs/integration.md atmosphere/composite/composit
         message(FATAL_ERROR "${page} is not installed")
     endif()
 endforeach()
+if(EXISTS "${WORK_DIR}/born/bin/aureole")
+    foreach(file man/man1/aureole.1 bash-completion/completions/aureole zsh/vendor-completions/_aureole
+                 fish/vendor_completions.d/aureole.fish aureole/scenes/noon.toml)
+        if(NOT EXISTS "${WORK_DIR}/born/share/${file}")
+            message(FATAL_ERROR "share/${file} is not installed")
+        endif()
+    endforeach()
+endif()
 file(RENAME "${WORK_DIR}/born" "${WORK_DIR}/prefix")
 function(build_and_run source build program)
     step("${CMAKE_COMMAND}" -G Ninja -S "${source}" -B "${build}" "-DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix"
@@ -34,3 +42,11 @@ endfunction()
 build_and_run("${CMAKE_CURRENT_LIST_DIR}" "${WORK_DIR}/build" outside "${WORK_DIR}/host.comp")
 step("${GLSLANG}" -V --target-env vulkan1.1 "-I${WORK_DIR}/prefix/include" -o "${WORK_DIR}/host.spv" "${WORK_DIR}/host.comp")
 build_and_run("${CMAKE_CURRENT_LIST_DIR}/rhi_only" "${WORK_DIR}/build_rhi_only" outside_rhi)
+
+find_program(pkg_config pkg-config)
+if(pkg_config)
+    file(GLOB_RECURSE found "${WORK_DIR}/prefix/*/aureole.pc")
+    cmake_path(GET found PARENT_PATH folder)
+    step("${CMAKE_COMMAND}" -E env "PKG_CONFIG_PATH=${folder}" "CXX=${CXX_COMPILER}" sh "${CMAKE_CURRENT_LIST_DIR}/pkg_config.sh"
+         "${CMAKE_CURRENT_LIST_DIR}" "${WORK_DIR}")
+endif()

@@ -53,6 +53,7 @@ struct TimestampSlots {
     std::uint32_t first = 0;  ///< In [0, Capabilities::timestamp_slots - number of slots].
 };
 
+/// A planet's air on a device: its parameters, and the tables that its model makes of it. Views of it share them.
 class Atmosphere {
 public:
     /// Creates pipelines and tables on `device`, which must outlive this object. Validates both arguments; throws

@@ -32,6 +32,7 @@ struct VulkanDeviceInfo {
     std::string problem{};      ///< Why Aureole cannot use it; empty if it can.
 };
 
+/// What list_vulkan_devices found.
 struct VulkanDeviceList {
     std::vector<VulkanDeviceInfo> devices{};  ///< In the loader's order.
     std::string problem{};                    ///< Why there can be no device at all (no loader, too old); else empty.

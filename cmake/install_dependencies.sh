@@ -4,7 +4,7 @@
 #   cmake/install_dependencies.sh [--no-install] [--tests] [--format]
 #
 #   --no-install  only check: exit 1 and name what is missing
-#   --tests       also what ./test.sh needs (Vulkan validation layer, a browser)
+#   --tests       also what ./test.sh needs (Vulkan validation layer, a browser, windows without a screen)
 #   --format      also what the format check needs (clang-format 14)
 set -euo pipefail
 
@@ -27,7 +27,7 @@ install=yes
 for argument in "$@"; do
     case "$argument" in
         --no-install) install=no ;;
-        --tests) packages+=(vulkan-validationlayers chromium) ;;
+        --tests) packages+=(vulkan-validationlayers chromium libglfw3-dev xvfb xauth) ;;
         --format) packages+=(clang-format-14) ;;
         *) echo "install_dependencies.sh: unknown option $argument; allowed: --no-install --tests --format" >&2; exit 2 ;;
     esac

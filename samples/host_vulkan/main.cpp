@@ -35,7 +35,10 @@ void tell(const Options& options, const Device& device, const Tally& tally) {
     std::printf("async compute: %s\n", options.async_compute ? device.describe_compute_queue() : "off");
     std::printf("frames: %u, resizes: %u\n", tally.frames, tally.resizes);
     std::printf("frame time: median %.2f ms, 95 %% %.2f ms\n", at(0.5), at(0.95));
-    std::printf("heap allocations of Aureole in these frames: %d\n", tally.heap_allocations);
+    if (options.validate)
+        std::printf("heap allocations of Aureole: not counted, for the validation layer makes its own in the same calls\n");
+    else
+        std::printf("heap allocations of Aureole in these frames: %d\n", tally.heap_allocations);
     std::printf("Vulkan objects and memory made in these frames: %llu\n",
                 static_cast<unsigned long long>(tally.vulkan_objects));
     if (options.validate) std::printf("validation messages: %d\n", device.messages());

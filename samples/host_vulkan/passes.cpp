@@ -162,11 +162,11 @@ void Passes::make_pipelines(const Sky& sky, const Swapchain& swapchain) {
     lit.add(1000, sky.has_shafts());
     own.add(0, !swapchain.encodes());
 
-    PipelineDesc shadow{.vertex = shadow_vert, .layout = layout_, .depth = depth_format, .mesh = true};
+    PipelineDesc shadow{.vertex = shadow_vert, .layout = layout_, .depth = depth_format, .mesh_attributes = 1};
     shadow.compare = VK_COMPARE_OP_LESS;
     shadow.write_depth = shadow.clamp_depth = true;
     shadow_ = make_pipeline(device_, shadow);
-    PipelineDesc depth{.vertex = terrain_vert, .layout = layout_, .depth = depth_format, .mesh = true};
+    PipelineDesc depth{.vertex = terrain_vert, .layout = layout_, .depth = depth_format, .mesh_attributes = 3};
     depth.compare = VK_COMPARE_OP_GREATER;
     depth.write_depth = true;
     depth_ = make_pipeline(device_, depth);

@@ -34,12 +34,12 @@ constexpr VkVertexInputAttributeDescription attributes[] = {
     {2, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, albedo)},
 };
 
-VkPipelineVertexInputStateCreateInfo vertex_input(bool mesh) {
+VkPipelineVertexInputStateCreateInfo vertex_input(std::uint32_t mesh_attributes) {
     auto info = info_of<VkPipelineVertexInputStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO);
-    if (!mesh) return info;
+    if (mesh_attributes == 0) return info;
     info.vertexBindingDescriptionCount = 1;
     info.pVertexBindingDescriptions = &vertices;
-    info.vertexAttributeDescriptionCount = 3;
+    info.vertexAttributeDescriptionCount = mesh_attributes;
     info.pVertexAttributeDescriptions = attributes;
     return info;
 }
@@ -61,7 +61,7 @@ VkPipeline make_pipeline(const Device& device, const PipelineDesc& desc) {
     const VkShaderModule fragment = desc.fragment.empty() ? VK_NULL_HANDLE : make_module(device, desc.fragment);
     std::array<VkPipelineShaderStageCreateInfo, 2> stages = {stage(VK_SHADER_STAGE_VERTEX_BIT, vertex, nullptr)};
     if (fragment) stages[1] = stage(VK_SHADER_STAGE_FRAGMENT_BIT, fragment, desc.constants);
-    const VkPipelineVertexInputStateCreateInfo input = vertex_input(desc.mesh);
+    const VkPipelineVertexInputStateCreateInfo input = vertex_input(desc.mesh_attributes);
     auto triangles =
         info_of<VkPipelineInputAssemblyStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO);
     triangles.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;

@@ -11,7 +11,7 @@ struct PipelineDesc {
     std::span<const std::uint32_t> vertex, fragment{};  ///< SPIR-V; without a fragment shader depth alone is drawn.
     VkPipelineLayout layout = VK_NULL_HANDLE;
     VkFormat color = VK_FORMAT_UNDEFINED, depth = VK_FORMAT_UNDEFINED;  ///< Of the attachments; undefined: none.
-    bool mesh = false;                                                  ///< Vertices are those of terrain_mesh.h.
+    std::uint32_t mesh_attributes = 0;  ///< Of terrain_mesh.h's vertices: position, normal, albedo.
     VkCompareOp compare = VK_COMPARE_OP_ALWAYS;
     bool write_depth = false;
     bool clamp_depth = false;                         ///< What lies before the near plane is drawn onto it.

@@ -59,7 +59,7 @@ double exposure_of(const app::Scene& scene, double altitude_m) {
     } else {
         const Rgb ground = ground_irradiance(scene, altitude_m);
         const double luminance = 0.2126 * ground.r + 0.7152 * ground.g + 0.0722 * ground.b;
-        factor = 1.5 / std::max(luminance / std::numbers::pi, 1e-9);  // white ground becomes 1.5: skies are a fifth of that
+        factor = 5 / std::max(luminance / std::numbers::pi, 1e-9);  // white ground becomes 5: skies are a fifth of that
     }
     return factor * std::exp2(scene.exposure.stops);
 }
@@ -69,7 +69,7 @@ std::vector<glm::dvec4> place_spheres(const app::Scene& scene, const TerrainMesh
     for (std::uint32_t i = 0; i < count; ++i) {
         const double distance = 150 * std::pow(2.2, i), radius = 0.045 * distance;
         app::ScenePose pose = scene.camera.pose;
-        pose.bearing_deg += 9.0 * (i % 2 == 0 ? 1 : -1) * (1 - 0.08 * i);
+        pose.bearing_deg += 8.0 * (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2) - 3;  // the near ones in the middle
         pose.elevation_deg = -7 + 0.5 * i;
         spheres.emplace_back(glm::dvec3(0, 0, scene.atmosphere.planet.bottom_radius_m + mesh.camera_altitude_m) +
                                  distance * app::direction_of(pose),

@@ -12,7 +12,7 @@ namespace {
 
 using namespace aureole::app;
 
-constexpr std::uint32_t half_side = 192;  // quads from the middle to the edge
+constexpr std::uint32_t half_side = 160;  // quads from the middle to the edge
 
 /// Places of grid lines: evenly spaced in the middle, as the height field's cells are, and ever wider outwards.
 class Lines {

@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <numbers>
 
 namespace host_vulkan {
@@ -16,8 +14,9 @@ using namespace aureole;
 
 namespace {
 
-/// Irradiance of flat ground at the camera, by a view on the CPU: what a host does that has no frame in flight yet.
-Rgb ground_irradiance(const app::Scene& scene, double altitude_m) {
+/// Mean radiance of the half of the world that the camera looks at, by a view on the CPU: what a host does that has no frame in
+/// flight yet.
+Rgb radiance_ahead(const app::Scene& scene, double altitude_m) {
     const auto machine = cpu::create_cpu_device();
     rhi::Device& device = machine->device();
     Atmosphere air(device, scene.atmosphere);
@@ -43,11 +42,7 @@ Rgb ground_irradiance(const app::Scene& scene, double altitude_m) {
     device.read_buffer(buffer, std::as_writable_bytes(std::span(texels)));
     device.destroy(buffer, 0);
     const LightTable light(texels);
-    const glm::dvec3 up = glm::normalize(camera.position_m);
-    Rgb sum = light.sky_irradiance(up);
-    for (std::size_t s = 0; s < suns.size(); ++s)
-        sum += light.sun_irradiance(static_cast<int>(s)) * std::max(glm::dot(glm::normalize(suns[s].direction), up), 0.0);
-    return sum;
+    return light.sky_irradiance(app::direction_of(scene.camera.pose)) / std::numbers::pi;
 }
 
 }  // namespace
@@ -57,9 +52,8 @@ double exposure_of(const app::Scene& scene, double altitude_m) {
     if (scene.exposure.factor) {
         factor = *scene.exposure.factor;
     } else {
-        const Rgb ground = ground_irradiance(scene, altitude_m);
-        const double luminance = 0.2126 * ground.r + 0.7152 * ground.g + 0.0722 * ground.b;
-        factor = 5 / std::max(luminance / std::numbers::pi, 1e-9);  // white ground becomes 5: skies are a fifth of that
+        const Rgb ahead = radiance_ahead(scene, altitude_m);
+        factor = 0.5 / std::max(0.2126 * ahead.r + 0.7152 * ahead.g + 0.0722 * ahead.b, 1e-9);
     }
     return factor * std::exp2(scene.exposure.stops);
 }

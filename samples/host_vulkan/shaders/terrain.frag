@@ -16,7 +16,7 @@ void main() {
     vec3 on_the_flat = aureole_sky_irradiance(frame.up.xyz);
     for (int s = 0; s < int(frame.counts.x); ++s) {
         vec3 sun = aureole_sun_irradiance(s, offset);
-        float shadow = s == 0 ? sunlit(offset, 1.5 * n) : 1.0;
+        float shadow = s == 0 ? softly_sunlit(offset, n) : 1.0;
         irradiance += sun * max(dot(n, frame.suns[s].xyz), 0.0) * shadow;
         on_the_flat += sun * max(dot(frame.up.xyz, frame.suns[s].xyz), 0.0);
     }

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "aureole_rhi_conformance_shaders.h"
+#include "aureole_rhi_tests_shaders.h"
 #include "test_host.h"
 #include "test_loader.h"
 

@@ -4,7 +4,7 @@
 #   cmake/install_dependencies.sh [--no-install] [--tests] [--format]
 #
 #   --no-install  only check: exit 1 and name what is missing
-#   --tests       also what ./test.sh needs (Vulkan validation layer, a browser, OGRE, a display in memory)
+#   --tests       also what ./test.sh needs (Vulkan validation layer, a browser, OGRE, the viewer's packages, a display in memory)
 #   --format      also what the format check needs (clang-format 14)
 set -euo pipefail
 
@@ -29,7 +29,9 @@ for argument in "$@"; do
         --no-install) install=no ;;
         --tests)
             packages+=(vulkan-validationlayers chromium)
-            packages+=(libepoxy-dev libglfw3-dev libogre-1.12-dev libegl1 libgl1-mesa-dri xvfb xauth) # samples/ogre
+            packages+=(libglfw3-dev xvfb xauth)                              # samples with windows
+            packages+=(libimgui-dev)                                         # samples/viewer
+            packages+=(libepoxy-dev libogre-1.12-dev libegl1 libgl1-mesa-dri) # samples/ogre
             ;;
         --format) packages+=(clang-format-14) ;;
         *) echo "install_dependencies.sh: unknown option $argument; allowed: --no-install --tests --format" >&2; exit 2 ;;

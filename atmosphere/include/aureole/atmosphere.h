@@ -108,7 +108,8 @@ public:
     [[nodiscard]] double progress() const noexcept;
 
     [[nodiscard]] rhi::Device& device() const noexcept;
-    // Null of a model that keeps no such table (its page says which it keeps).
+    // Null of a model that keeps no such table (its page says which it keeps). All can be copied from: out of State::sampled
+    // and back into it.
     /// Optical depth to the top: see transmittance.glsl.
     [[nodiscard]] rhi::Texture transmittance_table() const noexcept;
     /// Of `aureole` moments (multi_scatter.glsl; null where QualitySettings::multi_scatter_orders is 0), of `hillaire` its
@@ -226,7 +227,7 @@ public:
     /// last: composite.
     [[nodiscard]] std::span<const PassReport> reports() const noexcept;
 
-    // Tables stay the same textures until the structure of the air changes (set_parameters).
+    // Tables stay the same textures until the structure of the air changes (set_parameters), and can be copied from.
     // Null of a model, or settings of it, that keep no such table: all but `aureole` and the tables of `hillaire`, so far.
     [[nodiscard]] rhi::Texture sky_view_table() const noexcept;            ///< See sky_view.glsl.
     [[nodiscard]] rhi::Texture aerial_perspective_table() const noexcept;  ///< See aerial_perspective.glsl.

@@ -1,7 +1,7 @@
 // The layer's GPU-assisted checks really watch: a kernel that reads past the end of a buffer is found, as nothing else would.
 #include <doctest/doctest.h>
 
-#include "aureole_rhi_conformance_shaders.h"
+#include "aureole_rhi_tests_shaders.h"
 #include "rhi/harness.h"
 #include "test_support.h"
 #include "vulkan_test_shaders.h"

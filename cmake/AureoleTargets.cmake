@@ -19,17 +19,37 @@ if(AUREOLE_FUZZ)
     add_link_options(-fsanitize=fuzzer-no-link)
 endif()
 
+# What a shared library shows is what has a name of Aureole's (aureole.map): nothing of what it is made with. The same list for all,
+# since each is also used by the others and by tests, which see more than the public headers.
+function(aureole_export_symbols target)
+    get_target_property(type ${target} TYPE)
+    if(NOT type STREQUAL "SHARED_LIBRARY")
+        return()
+    endif()
+    set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET default VISIBILITY_INLINES_HIDDEN OFF
+                                               WINDOWS_EXPORT_ALL_SYMBOLS ON)
+    if(CMAKE_EXECUTABLE_FORMAT STREQUAL "ELF")
+        set(map "${PROJECT_SOURCE_DIR}/cmake/aureole.map")
+        target_link_options(${target} PRIVATE "LINKER:--version-script=${map}")
+        set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS "${map}")
+        # They find each other beside themselves, wherever that is.
+        set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN")
+    endif()
+endfunction()
+
 # aureole_add_library(<name> SOURCES <file>...)
 #
-# A static library `aureole_<name>` with the alias `aureole::<name>`. Its public headers are in include/ and are installed;
-# src/ is for itself alone (and for its tests). The caller links what it needs and, last, calls nothing else: install rules
-# are made here.
+# A library `aureole_<name>` with the alias `aureole::<name>`: static, or shared with BUILD_SHARED_LIBS. Its public headers are in
+# include/ and are installed; src/ is for itself alone (and for its tests). The caller links what it needs and, last, calls nothing
+# else: install rules are made here.
 function(aureole_add_library name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES")
     set(target aureole_${name})
-    add_library(${target} STATIC ${arg_SOURCES})
+    add_library(${target} ${arg_SOURCES})
     add_library(aureole::${name} ALIAS ${target})
-    set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} LINKER_LANGUAGE CXX)
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} LINKER_LANGUAGE CXX VERSION ${PROJECT_VERSION}
+                                               SOVERSION ${PROJECT_VERSION_MAJOR})
+    aureole_export_symbols(${target})
     target_compile_features(${target} PUBLIC cxx_std_20)
     target_compile_options(${target} PRIVATE ${AUREOLE_WARNINGS})
     target_include_directories(
@@ -38,8 +58,13 @@ function(aureole_add_library name)
         PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/src")
     if(AUREOLE_INSTALL)
         # An export of its own, so that a package's user needs what the components in use need, and no more.
-        install(TARGETS ${target} EXPORT aureole-${name}-targets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+        install(
+            TARGETS ${target} EXPORT aureole-${name}-targets
+            ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development
+            LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT libraries NAMELINK_COMPONENT development
+            RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT libraries)
         set_property(GLOBAL APPEND PROPERTY AUREOLE_COMPONENTS ${name})
-        install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+        install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+                COMPONENT development)
     endif()
 endfunction()

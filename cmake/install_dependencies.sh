@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Says which Debian 12 packages Aureole still needs and installs them.
 #
-#   cmake/install_dependencies.sh [--no-install] [--tests] [--format]
+#   cmake/install_dependencies.sh [--no-install] [--tests] [--format] [--docs]
 #
 #   --no-install  only check: exit 1 and name what is missing
 #   --tests       also what ./test.sh needs (Vulkan validation layer, a browser, OGRE, the viewer's packages, a display in memory)
-#   --format      also what the format check needs (clang-format 14)
+#   --format      also what the checks of format and habits need (clang-format 14, clang-tidy 14)
+#   --docs        also what the documentation's site is made with (mkdocs, doxygen, KaTeX)
 set -euo pipefail
 
 packages=(
@@ -33,8 +34,9 @@ for argument in "$@"; do
             packages+=(libimgui-dev)                                         # samples/viewer
             packages+=(libepoxy-dev libogre-1.12-dev libegl1 libgl1-mesa-dri) # samples/ogre
             ;;
-        --format) packages+=(clang-format-14) ;;
-        *) echo "install_dependencies.sh: unknown option $argument; allowed: --no-install --tests --format" >&2; exit 2 ;;
+        --format) packages+=(clang-format-14 clang-tidy-14) ;;
+        --docs) packages+=(mkdocs mkdocs-material mkdocs-material-extensions python3-pymdownx doxygen libjs-katex fonts-katex) ;;
+        *) echo "install_dependencies.sh: unknown option $argument; allowed: --no-install --tests --format --docs" >&2; exit 2 ;;
     esac
 done
 

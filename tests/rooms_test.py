@@ -14,7 +14,7 @@ SCRIPTS = {'.py'}  # held to their length alone
 MAX_LINES = 400
 ROOMS = {'rhi', 'atmosphere', 'backends', 'samples', 'tests', 'docs', 'cmake'}
 AT_THE_TOP = ROOMS | {'CMakeLists.txt', 'CMakePresets.json', 'README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'LICENSE', 'demo.sh',
-                      'test.sh', 'out', '__pycache__', 'compile_commands.json'}
+                      'test.sh', 'vcpkg.json', 'conanfile.py', 'out', '__pycache__', 'compile_commands.json'}
 
 # Rooms that stand above their folder, and of which of its rules: the C API shows the backends, too.
 ABOVE = {'atmosphere/c_api': ('the atmosphere names a graphics API or a window', 'the atmosphere knows a backend')}

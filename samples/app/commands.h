@@ -20,6 +20,8 @@ void add_plan_command(CLI::App& program);
 void add_bench_command(CLI::App& program);
 void add_report_command(CLI::App& program);
 void add_devices_command(CLI::App& program);
+void add_completion_command(CLI::App& program);
+void add_man_command(CLI::App& program);
 
 /// --backend (by default what `options` holds), --device, --validation, --threads.
 void add_backend_options(CLI::App& command, BackendOptions& options);

@@ -67,6 +67,8 @@ int run_program(int argc, char** argv) {
     add_bench_command(program);
     add_report_command(program);
     add_devices_command(program);
+    add_completion_command(program);
+    add_man_command(program);
     try {
         name_unknown_command(program, argc, argv);
         program.parse(argc, argv);

@@ -1,7 +1,8 @@
 # Installs a build into a staging folder, moves it (a package must not know where it was born), and configures, builds and runs
 # the outside project beside this file against it.
-# Then the shader that it wrote, which includes the installed look-ups, is compiled, and three more projects are built and run: one
-# without any backend, one that proves a device with the conformance kit, and one in C.
+# Then the shader that it wrote, which includes the installed look-ups, is compiled, and four more projects are built and run: one
+# without any backend, one that proves a device with the conformance kit, one in C, and a program that knows nothing but what
+# pkg-config says.
 #   cmake -D BUILD_DIR=... -D WORK_DIR=... -D CXX_COMPILER=... -D GLSLANG=... -P install_test.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -23,6 +24,14 @@ foreach(page LICENSE README.md docs/integration.md atmosphere/composite/composit
         message(FATAL_ERROR "${page} is not installed")
     endif()
 endforeach()
+if(EXISTS "${WORK_DIR}/born/bin/aureole")
+    foreach(file man/man1/aureole.1 bash-completion/completions/aureole zsh/vendor-completions/_aureole
+                 fish/vendor_completions.d/aureole.fish aureole/scenes/noon.toml)
+        if(NOT EXISTS "${WORK_DIR}/born/share/${file}")
+            message(FATAL_ERROR "share/${file} is not installed")
+        endif()
+    endforeach()
+endif()
 file(RENAME "${WORK_DIR}/born" "${WORK_DIR}/prefix")
 function(build_and_run source build program)
     step("${CMAKE_COMMAND}" -G Ninja -S "${source}" -B "${build}" "-DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix"
@@ -36,3 +45,11 @@ step("${GLSLANG}" -V --target-env vulkan1.1 "-I${WORK_DIR}/prefix/include" -o "$
 build_and_run("${CMAKE_CURRENT_LIST_DIR}/rhi_only" "${WORK_DIR}/build_rhi_only" outside_rhi)
 build_and_run("${CMAKE_CURRENT_LIST_DIR}/rhi_tests" "${WORK_DIR}/build_rhi_tests" outside_rhi_tests)
 build_and_run("${CMAKE_CURRENT_LIST_DIR}/c" "${WORK_DIR}/build_c" outside_c)
+
+find_program(pkg_config pkg-config)
+if(pkg_config)
+    file(GLOB_RECURSE found "${WORK_DIR}/prefix/*/aureole.pc")
+    cmake_path(GET found PARENT_PATH folder)
+    step("${CMAKE_COMMAND}" -E env "PKG_CONFIG_PATH=${folder}" "CXX=${CXX_COMPILER}" sh "${CMAKE_CURRENT_LIST_DIR}/pkg_config.sh"
+         "${CMAKE_CURRENT_LIST_DIR}" "${WORK_DIR}")
+endif()

@@ -53,6 +53,7 @@ struct TimestampSlots {
     std::uint32_t first = 0;  ///< In [0, Capabilities::timestamp_slots - number of slots].
 };
 
+/// A planet's air on a device: its parameters, and the tables that its model makes of it. Views of it share them.
 class Atmosphere {
 public:
     /// Creates pipelines and tables on `device`, which must outlive this object. Validates both arguments; throws
@@ -244,6 +245,9 @@ public:
     /// AUREOLE_SPEC_<id> <value>" lines that go before it, and what to bind beside the tables. Valid until the structure of the
     /// air changes (set_parameters).
     [[nodiscard]] std::string shader_defines() const;
+    /// The same as specialization constants (`layout(constant_id = id)`): for a shader that was compiled ahead, without
+    /// AUREOLE_DEFINED_CONSTANTS, when its pipeline is made. All ids are below 64; values the shader does not know do no harm.
+    [[nodiscard]] std::vector<rhi::Specialization> shader_constants() const;
     [[nodiscard]] rhi::Buffer view_block() const noexcept;  ///< Uniform block, State::constants after the first record.
     /// Uniform block, State::constants once there is something to show (Atmosphere::progress). Of the air that is shown.
     [[nodiscard]] rhi::Buffer air_block() const noexcept;

@@ -35,6 +35,7 @@ struct InHalfFloats {
     bool sky = false;         ///< The camera's.
     bool difference = false;  ///< Tables of which two entries' difference is the air before geometry.
 };
+/// Within which one number may go.
 struct EnvelopeLimit {
     double least = 0, greatest = 0;
     std::string_view beyond;  ///< What to expect outside, and why.

@@ -20,6 +20,7 @@
 
 namespace aureole {
 
+/// The light table's texels, read on the CPU by the formulas of the shaders.
 class LightTable {
 public:
     /// Columns of the table: nine coefficients of the sky's radiance, then the sun's irradiance.

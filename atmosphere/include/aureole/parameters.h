@@ -97,6 +97,7 @@ struct DensityTerm {
     [[nodiscard]] bool operator==(const DensityTerm&) const = default;
 };
 
+/// A sphere of ground, and how high its air goes.
 struct Planet {
     double bottom_radius_m = 6.36e6;   ///< Of the ground. In [1e3, 1e12].
     double top_radius_m = 6.46e6;      ///< Where the atmosphere ends. At least 1 m above the bottom, at most 11 bottom radii.
@@ -104,6 +105,7 @@ struct Planet {
     [[nodiscard]] bool operator==(const Planet&) const = default;
 };
 
+/// All that an air is: validated whole, by `validate`.
 struct AtmosphereParameters {
     Planet planet;
     /// Any number, with at most `max_phase_functions` different scattering phase functions among them (terms with equal phase

@@ -119,6 +119,7 @@ struct PlanChoice {
     std::optional<double> error_otherwise, cost_otherwise_ms;
 };
 
+/// What to give to Atmosphere and View, and why.
 struct Plan {
     Setting setting;
     AtmosphereParameters air;  ///< With what is left out left out: to be given to Atmosphere, with `model`.

@@ -23,6 +23,7 @@
 
 namespace aureole {
 
+/// How a planned sky follows sun and camera.
 struct FollowSettings {
     /// A plan is kept until sun or camera have gone this far from where it was made, on the scales of asinh(sun elevation / 3
     /// degrees) and of asinh(30 altitude / thickness of the air); it is made for twice as far. In [0.01, 100].
@@ -43,6 +44,7 @@ struct PlanChange {
     std::string before, after;
     std::string reason;  ///< Of the new plan.
 };
+/// What an update of a planned sky has done.
 struct PlanUpdate {
     bool planned = false;             ///< A plan has been made; it may be the same as before.
     std::vector<PlanChange> changes;  ///< What it changes: empty if nothing.
@@ -58,6 +60,7 @@ struct PlannedLight {
     double share = 0;       ///< Of `after`, in [0, 1].
 };
 
+/// An atmosphere with views that follows its plan: planned anew as sun and camera move, faded from one sky to the next.
 class PlannedSky {
 public:
     static constexpr std::size_t max_targets = 8;  ///< That are prepared at a time.

@@ -15,6 +15,7 @@
 
 namespace aureole {
 
+/// A way to make a sky, by names: what plans are made of, and what suites measure.
 struct Setting {
     std::string model = "aureole";       ///< One of model_names().
     std::string quality = "default";     ///< One of quality_names(), or "converged".

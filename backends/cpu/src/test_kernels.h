@@ -29,7 +29,7 @@ COMPUTE_MAIN(id) {
 /// Counts how often each invocation of a 64 x 64 x 64 box runs.
 inline std::vector<std::atomic<int>> visits(64 * 64 * 64);
 AUREOLE_DEFINE_CPU_KERNEL(visit_kernel)
-COMPUTE_MAIN(id) { ++visits[static_cast<std::size_t>((id.z * 64 + id.y) * 64 + id.x)]; }
+COMPUTE_MAIN(id) { ++visits[(std::size_t(id.z) * 64 + std::size_t(id.y)) * 64 + std::size_t(id.x)]; }
 }
 ;
 

@@ -6,12 +6,12 @@ from cli_checks.runner import BACKEND, FOLDER, expect, fails, models, works
 
 def check_help():
     for command in ([], ['render'], ['probe'], ['score'], ['trace'], ['truth'], ['measure'], ['fit'], ['plan'], ['bench'], ['report'],
-                    ['devices']):
+                    ['devices'], ['completion'], ['man']):
         out = works(*command, '--help')
         expect(len(out.splitlines()) > 3, f'help of {command}')
     fails('ubcommand', )
     fails('COMMAND: "frobnicate" is not allowed; allowed: render, probe, score, trace, truth, measure, '
-          'fit, plan, bench, report, devices', '--verbose', 'frobnicate')
+          'fit, plan, bench, report, devices, completion, man', '--verbose', 'frobnicate')
     version = works('--version')
     expect(version.startswith('aureole ') and version.split()[1][0].isdigit(), f'version: {version}')
 

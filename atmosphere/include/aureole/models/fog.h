@@ -8,6 +8,7 @@ namespace aureole::models {
 
 /// A value out of range is Error(invalid_argument) from `validate` and `fog`.
 struct FogSettings {
+    /// What fog adds to what is behind it.
     enum class Mode : std::uint8_t {
         one_colour,  ///< L0 f + C (1 - f), f = exp(-density s): looks the same by day and night, towards the sun and away.
         in_scatter,  ///< The air that the camera stands in, without end: its scattering, extinction and phase functions.

@@ -9,6 +9,7 @@
 
 namespace aureole::models {
 
+/// How many paths, and what is shown of them.
 struct ReferenceSettings {
     /// What the composite shows: `show`.
     enum class Show : std::uint8_t {

@@ -34,6 +34,7 @@ namespace aureole::models {
 /// of 1 au over the distance to the sun). With (1, 1, 1) the sun is white.
 [[nodiscard]] Rgb solar_rec709(const spectrum::Wavelengths& wavelengths);
 
+/// A model in wavelengths: which, and the air at them.
 struct SpectralSettings {
     /// 1 to 42 of them, with weights in [-1e30, 1e30] whose sum is at least 1e-30 in every channel.
     spectrum::Wavelengths wavelengths = spectrum::fitted(4);

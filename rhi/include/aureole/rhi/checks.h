@@ -37,11 +37,13 @@ void check(const BindingSetDesc& desc, const Shader& shader, const ObjectLookup&
 // Recording functions never throw, so their rules answer with a complaint (empty: all is well), which also names the objects.
 // Rules about states are the validation wrapper's (validation.h).
 
+/// What a device remembers of a pipeline for the checks below.
 struct PipelineFacts {
     std::string_view name;
     const Shader* shader = nullptr;
     Format target_format = Format::undefined;  ///< Of raster pipelines.
 };
+/// What it remembers of a binding set.
 struct BindingSetFacts {
     std::string_view name;
     const Shader* shader = nullptr;  ///< Of the pipeline that the set was made for.

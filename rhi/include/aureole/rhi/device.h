@@ -17,6 +17,7 @@
 
 namespace aureole::rhi {
 
+/// Names and limits of a device.
 struct Capabilities {
     std::string backend{};      ///< "vulkan", "cpu", or the host's own name.
     std::string device{};       ///< Name of the device, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
@@ -34,12 +35,14 @@ struct FormatSupport {
     bool sampled = false, linear_filter = false, storage = false, color_attachment = false;
 };
 
+/// A compute shader with its specialization.
 struct ComputePipelineDesc {
     std::string name{};
     const Shader* shader = nullptr;
     std::span<const Specialization> specialization{};  ///< Copied.
 };
 
+/// A fragment shader that is drawn over a whole target, with its specialization.
 struct RasterPipelineDesc {
     std::string name{};
     const Shader* shader = nullptr;                    ///< A fragment shader; the vertex stage (one triangle) is the backend's.
@@ -55,12 +58,14 @@ struct Binding {
     Buffer buffer{};  ///< For constants: the whole buffer.
 };
 
+/// One object for each slot of a pipeline's shader.
 struct BindingSetDesc {
     std::string name{};
     Pipeline pipeline{};                  ///< The set fits every pipeline made from the same shader.
     std::span<const Binding> bindings{};  ///< One for each slot of the shader.
 };
 
+/// Work of a compute pipeline.
 struct DispatchDesc {
     Pipeline pipeline{};
     BindingSet bindings{};
@@ -68,6 +73,7 @@ struct DispatchDesc {
     std::uint32_t groups[3] = {1, 1, 1};          ///< Workgroups.
 };
 
+/// A full-screen draw of a raster pipeline.
 struct DrawDesc {
     Pipeline pipeline{};
     BindingSet bindings{};
@@ -75,10 +81,12 @@ struct DrawDesc {
     Texture target{};                             ///< In State::color_attachment; every texel is written.
 };
 
+/// Ends accesses in `before`, makes their writes visible, allows accesses in `after`.
 struct TextureBarrier {
     Texture texture{};
     State before = State::undefined, after = State::undefined;
 };
+/// The same for a buffer.
 struct BufferBarrier {
     Buffer buffer{};
     State before = State::undefined, after = State::undefined;
@@ -89,15 +97,18 @@ struct TextureToBuffer {
     Texture source{};
     Buffer destination{};
 };
+/// Into a texture in `copy_destination`.
 struct BufferToTexture {
     Buffer source{};
     Texture destination{};
 };
+/// From one texture into another.
 struct TextureToTexture {
     Texture source{}, destination{};  ///< Same format and extent.
 };
 using CopyDesc = std::variant<TextureToBuffer, BufferToTexture, TextureToTexture>;
 
+/// Of a message; what is misused is an error.
 enum class Severity : std::uint8_t { info, warning, error };
 /// Receives messages of the device. Must not throw. May be called from any thread that uses the device.
 using MessageCallback = void (*)(void* user, Severity severity, const char* text);

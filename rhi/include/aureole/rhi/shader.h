@@ -9,6 +9,7 @@
 
 namespace aureole::rhi {
 
+/// What stands in a slot.
 enum class SlotKind : std::uint8_t { sampled_texture, storage_texture, constants };
 [[nodiscard]] const char* to_string(SlotKind kind) noexcept;
 
@@ -83,11 +84,13 @@ struct CpuRange {
 /// `target` is the colour target of a fragment kernel, null for compute.
 using CpuRun = void (*)(const CpuArguments& arguments, const CpuRange& range, const CpuBinding* target);
 
+/// A kernel on the CPU, in float and in double.
 struct CpuEntry {
     CpuRun run_float = nullptr;
     CpuRun run_double = nullptr;
 };
 
+/// What a shader runs as.
 enum class Stage : std::uint8_t {
     compute,
     fragment,  ///< Drawn as a triangle that covers the target.

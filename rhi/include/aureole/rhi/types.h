@@ -65,6 +65,7 @@ enum class State : std::uint8_t {
 };
 [[nodiscard]] const char* to_string(State state) noexcept;
 
+/// What a texture is; a cube has six square faces.
 enum class Dimension : std::uint8_t { d2, d3, cube };
 [[nodiscard]] const char* to_string(Dimension dimension) noexcept;
 
@@ -87,6 +88,7 @@ using Sampler = Handle<struct SamplerTag>;
 using Pipeline = Handle<struct PipelineTag>;
 using BindingSet = Handle<struct BindingSetTag>;
 
+/// A texture of one mip level and one sample.
 struct TextureDesc {
     std::string name{};  ///< Shown by debuggers and in messages.
     Dimension dimension = Dimension::d2;
@@ -95,13 +97,16 @@ struct TextureDesc {
     Usage usage = Usage::none;
 };
 
+/// A buffer of constants, or of bytes to upload or read back.
 struct BufferDesc {
     std::string name{};
     std::uint64_t size = 0;  ///< Bytes, at least 1.
     Usage usage = Usage::none;
 };
 
+/// How texels are read between their centres.
 enum class Filter : std::uint8_t { nearest, linear };
+/// What is outside of [0, 1]: the edge again, or the texture again.
 enum class Address : std::uint8_t { clamp, repeat };
 
 /// Texel centres are at (i + 1/2) / size; outside [0, 1] `address` holds (cubes: filters cross the faces' edges). No mips.

@@ -24,11 +24,13 @@
 
 namespace aureole::rhi {
 
+/// How a validation device answers misuse.
 struct ValidationDesc {
     /// Throw Error(misuse) after reporting, also from recording functions. Leaks are only reported.
     bool throw_on_misuse = false;
 };
 
+/// A device around another one that watches how it is used, and reports each misuse once, by the objects' names.
 class ValidationDevice : public Device {
 public:
     /// For hosts with command lists of their own: the list to record into instead of `inner`, until `end_list`. One list at

@@ -10,11 +10,13 @@
 
 namespace aureole::cpu {
 
+/// What kernels compute in.
 enum class Precision : std::uint8_t {
     float32,  ///< Mirrors a GPU: float arithmetic, and every texel really rounded to its format.
     float64,  ///< The reference: double arithmetic, and textures keep every bit. Buffers hold the formats' packed bytes.
 };
 
+/// How a CPU device works.
 struct CpuDeviceDesc {
     Precision precision = Precision::float32;
     unsigned threads = 0;     ///< 1 to 1024, but no more than the process may use; 0: all. Results do not depend on it.

@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""Runs clang-tidy 14 with the tree's .clang-tidy.
+
+    cmake/tidy.py                 everything that build/release compiles, but for generated kernels
+    cmake/tidy.py --build FOLDER  what another build folder compiles
+    cmake/tidy.py --headers       the public headers alone, in one file that includes them all: no build is needed
+    cmake/tidy.py PART...         of the build's files those whose path holds one of these words
+
+Exit code 1 if anything is found. Files that the build compiles together are looked at together.
+"""
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOMS = ('rhi', 'atmosphere', 'backends', 'samples', 'tests')
+OURS = f'^{ROOT}/({"|".join(ROOMS)})/.*\\.(h|cpp)$'
+CLANG_TIDY = shutil.which('clang-tidy-14') or shutil.which('clang-tidy')
+
+
+def tidy(file, arguments):
+    """Says what it found in a file (nothing: all is well), and the seconds it took."""
+    started = time.monotonic()
+    # g++ knows warnings that clang does not.
+    command = [CLANG_TIDY, '--quiet', f'--header-filter={OURS}', '--extra-arg=-Wno-unknown-warning-option', str(file), *arguments]
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+    said = done.stdout.strip()
+    if done.returncode != 0 and not said:
+        said = done.stderr.strip()
+    return said if done.returncode != 0 else '', time.monotonic() - started
+
+
+def compiled(build, parts):
+    """Of the build's files ours, and those that it makes of several of ours."""
+    database = build / 'compile_commands.json'
+    if not database.exists():
+        sys.exit(f'{database}: there is none; configure first: cmake --preset release')
+    files = {entry['file'] for entry in json.loads(database.read_text(encoding='utf-8'))}
+    made = str(build.resolve()) + os.sep
+    mine = [file for file in files if '/Unity/' in file or (not file.startswith(made) and file.startswith(str(ROOT) + os.sep))]
+    return sorted(file for file in mine if not parts or any(part in file for part in parts))
+
+
+def check_build(build, parts):
+    files = compiled(build, parts)
+    if not files:
+        sys.exit(f'{build}: compiles no file of this name')
+    bad, started = 0, time.monotonic()
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        runs = {pool.submit(tidy, file, ['-p', str(build)]): file for file in files}
+        for number, run in enumerate(concurrent.futures.as_completed(runs), 1):
+            said, seconds = run.result()
+            print(f'[{number}/{len(files)}] {os.path.relpath(runs[run], ROOT)}: {seconds:.0f} s', flush=True)
+            if said:
+                bad += 1
+                print(said, flush=True)
+    print(f'clang-tidy: {len(files)} files in {time.monotonic() - started:.0f} s, {bad} with findings')
+    return bad
+
+
+def check_headers():
+    folders = [ROOT / 'rhi/include', ROOT / 'atmosphere/include', ROOT / 'backends/cpu/include', ROOT / 'backends/vulkan/include']
+    # Kernels' headers are included by kernels alone.
+    headers = [header.relative_to(folder) for folder in folders for header in sorted(folder.rglob('*.h')) if 'kernel' not in header.parts]
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / 'headers.cpp'
+        file.write_text(''.join(f'#include <{header.as_posix()}>\n' for header in headers), encoding='utf-8')
+        options = ['-std=c++20', '-Wall', '-Wextra', '-DSPDLOG_COMPILED_LIB', '-DSPDLOG_FMT_EXTERNAL', *(f'-I{path}' for path in folders)]
+        said, seconds = tidy(file, [f'--config-file={ROOT}/.clang-tidy', '--', *options])
+    if said:
+        print(said)
+    print(f'clang-tidy: {len(headers)} public headers in {seconds:.0f} s, {"with findings" if said else "nothing found"}')
+    return bool(said)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--headers', action='store_true')
+    parser.add_argument('--build', type=pathlib.Path, default=ROOT / 'build/release')
+    parser.add_argument('parts', nargs='*')
+    options = parser.parse_args()
+    if CLANG_TIDY is None:
+        sys.exit('tidy.py: there is no clang-tidy; install clang-tidy-14')
+    return 1 if (check_headers() if options.headers else check_build(options.build, options.parts)) else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

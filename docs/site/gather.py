@@ -1,0 +1,167 @@
+#!/usr/bin/env python3
+"""Gathers the tree's pages into one folder, as mkdocs wants them; mkdocs.yml, which says in which order they are shown, must name them all.
+
+    gather.py ROOT STAGE
+
+Pages keep their places in the tree, so links between them stay as they are. A link to a file of code leads to a page that shows it, one to a
+folder to a list of what is in it. Below each page beside code stand its kernels.
+"""
+import os
+import pathlib
+import re
+import shutil
+import sys
+import urllib.parse
+
+SITE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(SITE.parent.parent / 'tests/docs'))
+from links_test import FENCE, LINK, pages  # noqa: E402
+
+LANGUAGES = {'.h': 'cpp', '.cpp': 'cpp', '.c': 'c', '.glsl': 'glsl', '.py': 'python', '.sh': 'bash', '.toml': 'toml', '.cmake': 'cmake',
+             '.json': 'json', '.inc': 'cpp', '.js': 'javascript'}
+IMAGES = {'.png', '.jpg', '.svg', '.gif'}
+SOURCE = pathlib.PurePosixPath('source')
+SHOWN = 200_000  # characters of a file
+LIST = re.compile(r'\s*([-*]|\d+\.) ')
+
+
+class Site:
+    def __init__(self, root, stage):
+        self.root, self.stage = root, stage
+        self.pages = {page.relative_to(root).as_posix() for page in pages(root)}
+        self.sources = set()  # files and folders that get a page of their own
+        self.made = set()
+
+    def page_of(self, path):
+        """Where a file or folder of the tree is shown: a path in the stage."""
+        if path in self.pages:
+            return pathlib.PurePosixPath('index.md' if path == 'README.md' else path)
+        if pathlib.PurePosixPath(path).suffix in IMAGES:
+            self.copy(path)
+            return pathlib.PurePosixPath(path)
+        self.sources.add(path)
+        return self.source_page(path)
+
+    def source_page(self, path):
+        shown = re.sub(r'(^|/)\.', r'\1_', path)  # mkdocs passes over names that begin with a dot
+        return SOURCE / shown / 'index.md' if (self.root / path).is_dir() else SOURCE / (shown + '.md')
+
+    def copy(self, path):
+        target = self.stage / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(self.root / path, target)
+
+    def link(self, page, shown_at, target):
+        """What a link on a page of the tree is on the site."""
+        parts = urllib.parse.urlsplit(target)
+        if parts.scheme or not parts.path:
+            return target
+        file = (self.root / page).parent / urllib.parse.unquote(parts.path)
+        if not file.exists():
+            return target
+        path = pathlib.PurePosixPath(os.path.relpath(file, self.root)).as_posix()
+        if path == 'docs/README.md':
+            path = 'README.md'  # the site's own navigation takes the place of the index
+        relative = os.path.relpath(self.page_of(path), shown_at.parent)
+        return relative + ('#' + parts.fragment if parts.fragment else '')
+
+    def convert(self, page, text, shown_at):
+        """Links, and blank lines that GitHub does without and Python's Markdown does not. Code stays as it is."""
+        pieces, end = [], 0
+        for fence in FENCE.finditer(text):
+            pieces += [self.convert_prose(page, text[end:fence.start()], shown_at), fence.group(0)]
+            end = fence.end()
+        return ''.join([*pieces, self.convert_prose(page, text[end:], shown_at)])
+
+    def convert_prose(self, page, text, shown_at):
+        def replaced(match):
+            start, stop = match.span(1)
+            return match.group(0)[:start - match.start()] + self.link(page, shown_at, match.group(1)) + match.group(0)[stop - match.start():]
+        text = re.sub(r'(\[!\[[^\]]*\]\()([^()\s]+)(\)\]\()', lambda m: m.group(1) + self.link(page, shown_at, m.group(2)) + m.group(3), text)
+        text = LINK.sub(replaced, text)
+        lines = []
+        for line in text.split('\n'):
+            before = lines[-1] if lines else ''
+            begins_list = LIST.match(line) and before.strip() and not LIST.match(before) and not before.startswith((' ', '|'))
+            begins_table = line.startswith('|') and before.strip() and not before.startswith('|')
+            if begins_list or begins_table:
+                lines.append('')
+            lines.append(line)
+        return '\n'.join(lines)
+
+    def write(self, place, text):
+        target = self.stage / place
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding='utf-8')
+        self.made.add(str(place))
+
+    def write_page(self, page):
+        place = self.page_of(page)
+        text = self.convert(page, (self.root / page).read_text(encoding='utf-8'), place)
+        self.write(place, text + self.kernels(page))
+
+    def kernels(self, page):
+        """The kernels of the room that a page stands in, folded up, and a link to each's own page."""
+        folder = (self.root / page).parent
+        files = sorted(folder.glob('*.glsl'))
+        if not files or not page.startswith('atmosphere/'):
+            return ''
+        text = '\n\n## Source of the kernels\n\nAs they are compiled, for the GPU and for the CPU in float and double.\n'
+        for file in files:
+            self.sources.add(file.relative_to(self.root).as_posix())
+            code = '\n'.join(('    ' + line).rstrip() for line in file.read_text(encoding='utf-8').rstrip('\n').split('\n'))
+            text += f'\n??? example "{file.name}"\n\n    ```glsl\n{code}\n    ```\n'
+        return text
+
+    def write_source(self, path):
+        file = self.root / path
+        name = pathlib.PurePosixPath(path)
+        if file.is_dir():
+            kept = [each for each in sorted(file.iterdir()) if not each.name.startswith('.') and each.name not in ('build', 'out', '__pycache__')]
+            lines = []
+            for each in kept:
+                inside = each.relative_to(self.root).as_posix()
+                known = inside in self.pages or inside in self.sources
+                shown = each.name + ('/' if each.is_dir() else '')
+                lines.append(f'- [{shown}]({os.path.relpath(self.page_of(inside), self.source_page(path).parent)})' if known else f'- {shown}')
+            self.write(self.source_page(path), f'# {path}/\n\n' + '\n'.join(lines) + '\n')
+            return
+        text = file.read_text(encoding='utf-8', errors='replace')
+        cut = '\n…' if len(text) > SHOWN else ''
+        fence = '~~~~~~'
+        language = LANGUAGES.get(name.suffix, 'text')
+        self.write(self.source_page(path), f'# {name.name}\n\n`{path}`\n\n{fence}{language}\n{text[:SHOWN]}{cut}\n{fence}\n')
+
+    def write_all(self):
+        for page in sorted(self.pages - {'docs/README.md'}):
+            self.write_page(page)
+        done = set()
+        while self.sources - done:
+            path = sorted(self.sources - done)[0]
+            self.write_source(path)
+            done.add(path)
+
+
+def navigation_problems(site):
+    """The navigation of mkdocs.yml names every page, and no other."""
+    named = set(re.findall(r': (\S+\.md)$', (SITE / 'mkdocs.yml').read_text(encoding='utf-8'), re.M))
+    shown = {str(site.page_of(page)) for page in site.pages - {'docs/README.md'}}
+    return [f'mkdocs.yml: {page}: no such page' for page in sorted(named - shown)] + \
+           [f'mkdocs.yml: {page}: no place in the navigation' for page in sorted(shown - named)]
+
+
+def main():
+    root, stage = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+    if stage.exists():
+        shutil.rmtree(stage)
+    site = Site(root, stage)
+    site.write_all()
+    shutil.copytree(SITE / 'theme', stage / 'theme')
+    problems = navigation_problems(site)
+    if problems:
+        sys.exit('\n'.join(problems))
+    print(f'{len(site.pages)} pages, {len(site.sources)} files and folders that they link to')
+
+
+if __name__ == '__main__':
+    main()

@@ -11,7 +11,8 @@
 
 namespace host_vulkan {
 
-/// Exposure of a scene: its own factor; where it leaves that to a meter, by the light of the half of the sky that its camera looks at.
+/// Exposure of a scene: its own factor; where it leaves that to a meter, by the light of the half of the sky that its camera
+/// looks at.
 [[nodiscard]] double exposure_of(const aureole::app::Scene& scene, double altitude_m);
 /// Glass balls before the scene's camera, lower than it, near ones small and far ones large: centre and radius.
 [[nodiscard]] std::vector<glm::dvec4> place_spheres(const aureole::app::Scene& scene, const TerrainMesh& mesh,

@@ -9,8 +9,8 @@
  * aureole::c, a shared library. Page: atmosphere/c_api/c_api.md.
  *
  * Results. Every function that can fail returns an aureole_result. Whatever fails leaves its objects as they were and its
- * outputs unwritten, and aureole_last_error() says, for this thread, which field had which value and what is allowed. Nothing is
- * thrown across.
+ * outputs unwritten, and aureole_last_error() says, for this thread, which field had which value and what is allowed. Nothing
+ * is thrown across.
  *
  * Structs. Each begins with struct_size, which the caller sets to sizeof before anything else, also where the library writes
  * the struct. Then a program built with an older header works with a newer library: fields that it does not know have their

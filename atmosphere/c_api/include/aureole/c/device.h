@@ -144,11 +144,11 @@ AUREOLE_API aureole_result aureole_create_texture(aureole_device* device, const 
 /* A texture of the host's, lent. */
 typedef struct aureole_external_texture {
     uint32_t struct_size;
-    aureole_state state;       /* That it is in when a recording starts, and is returned to. */
+    aureole_state state;              /* That it is in when a recording starts, and is returned to. */
     const aureole_texture_desc* desc; /* What it is; NULL, the default, is refused. */
-    uint64_t native;           /* The VkImage, or what an adapter takes it for. 0, the default, on the CPU. */
-    uint64_t native_view;      /* VkImageView; 0, the default: the device makes one. */
-    void* cpu_texels;          /* CPU: tightly packed texels in desc.format, kept as long as the texture. Default: NULL. */
+    uint64_t native;                  /* The VkImage, or what an adapter takes it for. 0, the default, on the CPU. */
+    uint64_t native_view;             /* VkImageView; 0, the default: the device makes one. */
+    void* cpu_texels; /* CPU: tightly packed texels in desc.format, kept as long as the texture. Default: NULL. */
 } aureole_external_texture;
 AUREOLE_API aureole_result aureole_external_texture_defaults(aureole_external_texture* external);
 AUREOLE_API aureole_result aureole_wrap_texture(aureole_device* device, const aureole_external_texture* external,

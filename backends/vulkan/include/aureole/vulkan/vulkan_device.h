@@ -139,10 +139,10 @@ public:
     /// one. Valid until `end_recording`; a recording that was
     /// not ended is forgotten as it is, and reported. Recording allocates nothing. Pipelines, descriptor sets, push constants,
     /// viewport and scissor that the host had bound are undefined afterwards. Command buffers run in the order in which they
-    /// were recorded: on one queue as they are submitted, on several by semaphores of the host's from each to the next that uses
-    /// the same tables, in both directions. On a family without graphics there are no raster passes and no copies of depth, on
-    /// one without timestamps none of those: both are reported and left out. Error(invalid_argument) for a null command buffer
-    /// or another family.
+    /// were recorded: on one queue as they are submitted, on several by semaphores of the host's from each to the next that
+    /// uses the same tables, in both directions. On a family without graphics there are no raster passes and no copies of
+    /// depth, on one without timestamps none of those: both are reported and left out. Error(invalid_argument) for a null
+    /// command buffer or another family.
     [[nodiscard]] virtual rhi::CommandList& begin_recording(VkCommandBuffer commands,
                                                             std::uint32_t queue_family = VK_QUEUE_FAMILY_IGNORED) = 0;
     /// Ends the recording: textures lent with rhi::Device::wrap_texture that are not in the state they were lent in are

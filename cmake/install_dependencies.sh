@@ -27,7 +27,7 @@ install=yes
 for argument in "$@"; do
     case "$argument" in
         --no-install) install=no ;;
-        --tests) packages+=(vulkan-validationlayers chromium libglfw3-dev xvfb xauth) ;;
+        --tests) packages+=(vulkan-validationlayers chromium libglfw3-dev xvfb) ;;
         --format) packages+=(clang-format-14) ;;
         *) echo "install_dependencies.sh: unknown option $argument; allowed: --no-install --tests --format" >&2; exit 2 ;;
     esac

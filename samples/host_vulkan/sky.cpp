@@ -86,7 +86,7 @@ Sky::Sky(const Device& device, const app::Scene& scene)
     view_ = std::make_unique<View>(*air_, view_settings(scene, shafts_), composite_settings(scene));
     if (!view_->sky_view_table() || !view_->aerial_perspective_table())
         throw Error(ErrorCode::unsupported, "model", scene.model.describe(),
-                    "one that keeps tables for a host's shaders: aureole in rgb, or hillaire in its qualities low and default");
+                    "one that keeps tables for a host's shaders: aureole, or hillaire in its qualities low and default");
     constants_ = view_->shader_constants();
     make_set();
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace host_vulkan {
 namespace {
@@ -38,12 +39,16 @@ double horizon_m(double radius_m, double camera_m, double highest_m) {
     return one(camera_m) + one(highest_m);
 }
 
-void add_quads(std::vector<std::uint32_t>& indices) {
+/// Two triangles a quad, cut along the diagonal that climbs less: ridges and valleys then have no teeth.
+void add_quads(TerrainMesh& mesh, std::span<const double> heights) {
     constexpr std::uint32_t points = 2 * half_side + 1;
     for (std::uint32_t y = 0; y + 1 < points; ++y)
         for (std::uint32_t x = 0; x + 1 < points; ++x) {
-            const std::uint32_t corner = y * points + x;
-            for (const std::uint32_t next : {0U, 1U, points, points, 1U, points + 1}) indices.push_back(corner + next);
+            const std::uint32_t a = y * points + x, b = a + 1, c = a + points, d = c + 1;
+            if (std::abs(heights[a] - heights[d]) < std::abs(heights[b] - heights[c]))
+                mesh.indices.insert(mesh.indices.end(), {a, b, d, a, d, c});
+            else
+                mesh.indices.insert(mesh.indices.end(), {a, b, c, c, b, d});
         }
 }
 
@@ -65,17 +70,19 @@ TerrainMesh make_terrain(const Scene& scene) {
     mesh.origin_m.z = radius + mesh.camera_altitude_m;
 
     const double range = std::min(terrain.range_m, horizon_m(radius, mesh.camera_altitude_m, field.highest()));
+    std::vector<double> heights;
     const Lines lines(field.cell_size(0).x, range);
     for (std::uint32_t y = 0; y <= 2 * half_side; ++y)
         for (std::uint32_t x = 0; x <= 2 * half_side; ++x) {
             const glm::dvec2 place = anchor + glm::dvec2(lines.at(x), lines.at(y));
             const double height = field.height(place), spacing = std::max(lines.spacing(x), lines.spacing(y));
+            heights.push_back(height);
             const glm::dvec3 point = caster.point_at(place, height), normal = field.normal(place);
             const aureole::Rgb albedo = terrain.albedo.value_or(natural_albedo(place, height, normal, spacing));
             mesh.vertices.push_back({glm::vec3(point - mesh.origin_m), glm::vec3(caster.to_world(point, normal)),
                                      glm::vec4(glm::vec3(albedo), static_cast<float>(field.open_sky(place)))});
         }
-    add_quads(mesh.indices);
+    add_quads(mesh, heights);
     return mesh;
 }
 

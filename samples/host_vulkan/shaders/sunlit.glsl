@@ -19,7 +19,7 @@ float softly_sunlit(vec3 offset, vec3 n) {
     vec3 across = normalize(cross(n, frame.suns[0].xyz + vec3(1e-4, 0, 0))), along = cross(n, across);
     float sum = 0.0;
     for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) sum += sunlit(offset + 4.0 * n, 1.5 * n + 1.2 * (float(x) * across + float(y) * along));
+        for (int x = -1; x <= 1; ++x) sum += sunlit(offset + 6.0 * n, 1.5 * n + 1.2 * (float(x) * across + float(y) * along));
     return sum / 9.0;
 }
 

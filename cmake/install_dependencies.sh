@@ -4,7 +4,7 @@
 #   cmake/install_dependencies.sh [--no-install] [--tests] [--format] [--docs]
 #
 #   --no-install  only check: exit 1 and name what is missing
-#   --tests       also what ./test.sh needs (Vulkan validation layer, a browser)
+#   --tests       also what ./test.sh needs (Vulkan validation layer, a browser, what reads packages and manual pages)
 #   --format      also what the checks of format and habits need (clang-format 14, clang-tidy 14)
 #   --docs        also what the documentation's site is made with (mkdocs, doxygen, KaTeX)
 set -euo pipefail
@@ -28,7 +28,7 @@ install=yes
 for argument in "$@"; do
     case "$argument" in
         --no-install) install=no ;;
-        --tests) packages+=(vulkan-validationlayers chromium) ;;
+        --tests) packages+=(vulkan-validationlayers chromium dpkg-dev pkg-config man-db) ;;
         --format) packages+=(clang-format-14 clang-tidy-14) ;;
         --docs) packages+=(mkdocs mkdocs-material mkdocs-material-extensions python3-pymdownx doxygen libjs-katex fonts-katex) ;;
         *) echo "install_dependencies.sh: unknown option $argument; allowed: --no-install --tests --format --docs" >&2; exit 2 ;;

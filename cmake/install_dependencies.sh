@@ -4,7 +4,8 @@
 #   cmake/install_dependencies.sh [--no-install] [--tests] [--format] [--docs]
 #
 #   --no-install  only check: exit 1 and name what is missing
-#   --tests       also what ./test.sh needs (Vulkan validation layer, a browser, what reads packages and manual pages)
+#   --tests       also what ./test.sh needs (Vulkan validation layer, a browser, OGRE, the viewer's packages, a display in memory, what
+#                 reads packages and manual pages)
 #   --format      also what the checks of format and habits need (clang-format 14, clang-tidy 14)
 #   --docs        also what the documentation's site is made with (mkdocs, doxygen, KaTeX)
 set -euo pipefail
@@ -28,7 +29,13 @@ install=yes
 for argument in "$@"; do
     case "$argument" in
         --no-install) install=no ;;
-        --tests) packages+=(vulkan-validationlayers chromium dpkg-dev pkg-config man-db) ;;
+        --tests)
+            packages+=(vulkan-validationlayers chromium)
+            packages+=(dpkg-dev pkg-config man-db)                           # what reads packages and manual pages
+            packages+=(libglfw3-dev xvfb xauth)                              # samples with windows
+            packages+=(libimgui-dev)                                         # samples/viewer
+            packages+=(libepoxy-dev libogre-1.12-dev libegl1 libgl1-mesa-dri) # samples/ogre
+            ;;
         --format) packages+=(clang-format-14 clang-tidy-14) ;;
         --docs) packages+=(mkdocs mkdocs-material mkdocs-material-extensions python3-pymdownx doxygen libjs-katex fonts-katex) ;;
         *) echo "install_dependencies.sh: unknown option $argument; allowed: --no-install --tests --format --docs" >&2; exit 2 ;;

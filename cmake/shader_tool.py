@@ -7,6 +7,7 @@ only.
 import argparse
 import os
 import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -118,6 +119,8 @@ SLOT = re.compile(
 ANY_SLOT = re.compile(r'layout\s*\([^)]*binding\s*=')
 LOCAL_SIZE = re.compile(r'layout\s*\(\s*local_size_x\s*=\s*(\d+)\s*,\s*local_size_y\s*=\s*(\d+)\s*,\s*local_size_z\s*=\s*(\d+)\s*\)\s*in\s*;')
 PUSH = re.compile(r'layout\s*\(\s*push_constant\s*,\s*std430\s*\)\s*uniform\s+\w+_push\s*\{\s*\w+\s+(\w+)\s*;\s*\}')
+CONSTANT = re.compile(r'layout\s*\(\s*constant_id\s*=\s*(\d+)\s*\)\s*const\s+(int|bool|float)\s+(\w+)\s*=\s*([^;]+);')
+CONSTANT_KINDS = {'int': 'integer', 'bool': 'boolean', 'float': 'real'}
 DIMENSIONS = {'sampler2D': 'd2', 'image2D': 'd2', 'sampler3D': 'd3', 'image3D': 'd3', 'samplerCube': 'cube', 'image2DArray': 'cube'}
 
 
@@ -125,8 +128,21 @@ DIMENSIONS = {'sampler2D': 'd2', 'image2D': 'd2', 'sampler3D': 'd3', 'image3D': 
 RESERVED = {'arguments_', 'specialization', 'sampled', 'storage', 'uniforms', 'pushed', 'widen', 'kernel_main', 'real'}
 
 
+def constant_bits(kernel, kind, name, value):
+    """The default of a specialization constant, a literal, as the 32 bits that stand for it."""
+    literal = re.sub(r'^float\s*\((.*)\)$', r'\1', value.strip()).replace(' ', '')
+    try:
+        if kind == 'bool':
+            return {'false': 0, 'true': 1}[literal]
+        if kind == 'int':
+            return struct.unpack('<I', struct.pack('<i', int(literal)))[0]
+        return struct.unpack('<I', struct.pack('<f', float(literal)))[0]
+    except (KeyError, ValueError, OverflowError, struct.error):
+        raise KernelError(f'{kernel}:1: error: the default of {name} is {value.strip()}; allowed: a literal of its type') from None
+
+
 class Interface:
-    """Slots, group size and push constants, read from the preprocessed source."""
+    """Slots, group size, push constants and specialization constants, read from the preprocessed source."""
 
     def __init__(self, text, kernel, stage):
         self.slots = []  # (slot, kind, dimension, name)
@@ -153,6 +169,9 @@ class Interface:
             raise KernelError(f'{kernel}:1: error: a compute kernel has one LOCAL_SIZE(x, y, z), a fragment kernel has none')
         self.local_size = [int(v) for v in sizes[0]] if sizes else [1, 1, 1]
 
+        self.constants = sorted((int(id), CONSTANT_KINDS[kind], constant_bits(kernel, kind, constant, value), constant)
+                                for id, kind, constant, value in CONSTANT.findall(text))
+
         pushes = PUSH.findall(text)
         if len(pushes) > 1:
             raise KernelError(f'{kernel}:1: error: PUSH_CONSTANTS may stand only once')
@@ -178,6 +197,9 @@ def cpp_source(name, stage, kernel, text, words, interface):
     slots = ''.join(f'    {{{slot}, rhi::SlotKind::{kind}, rhi::Dimension::{dimension}, "{slot_name}"}},\n'
                     for slot, kind, dimension, slot_name in interface.slots)
     slot_table = f'constexpr rhi::SlotDesc slots[] = {{\n{slots}}};\n' if interface.slots else ''
+    constants = ''.join(f'    {{{id}, rhi::ConstantKind::{kind}, 0x{bits:08x}, "{constant}"}},\n'
+                        for id, kind, bits, constant in interface.constants)
+    constant_table = f'constexpr rhi::ConstantDesc constants[] = {{\n{constants}}};\n' if interface.constants else ''
     push_size = f'sizeof(kernels::{cls}<float>::{interface.push})' if interface.push else '0'
     stage_name = 'compute' if stage == 'comp' else 'fragment'
     return f'''// Generated from {os.path.basename(kernel)} by shader_tool.py.
@@ -197,7 +219,7 @@ constexpr std::uint32_t spirv[] = {{
     {cpp_words(words)}}};
 constexpr std::string_view glsl =
     {cpp_text(text)};
-{slot_table}constexpr std::size_t push_constant_bytes = {push_size};
+{slot_table}{constant_table}constexpr std::size_t push_constant_bytes = {push_size};
 static_assert(push_constant_bytes % 16 == 0, "push constants consist of vec4 and mat4");
 static_assert(push_constant_bytes <= 128, "devices guarantee no more than 128 bytes of push constants");
 }}  // namespace
@@ -212,6 +234,7 @@ constinit const rhi::Shader {name} = {{
     .spirv = spirv,
     .glsl = glsl,
     .cpu = AUREOLE_CPU_ENTRY(kernels::{cls}),
+    .constants = {'constants' if interface.constants else '{}'},
 }};
 }}  // namespace aureole::shaders
 '''

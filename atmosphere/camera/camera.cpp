@@ -25,7 +25,8 @@ void check_position(const glm::dvec3& position) {
 void check_view(const glm::dmat4& view) {
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row)
-            detail::check("camera.view[" + std::to_string(column) + "][" + std::to_string(row) + "]", view[column][row], -2, 2);
+            detail::check(detail::FieldName("camera.view")[static_cast<std::size_t>(column)][static_cast<std::size_t>(row)],
+                          view[column][row], -2, 2);
     const glm::dmat3 rotation(view);
     const glm::dmat3 gram = glm::transpose(rotation) * rotation;
     double worst = 0;

@@ -102,7 +102,7 @@ void pack_suns(std::span<const Sun> suns, const dvec3& up, ExactView& view) {
 
 void check_inputs(std::span<const Sun> suns, const ViewInputs& inputs) {
     check_count("suns", suns.size(), 0, static_cast<std::size_t>(max_suns));
-    for (std::size_t i = 0; i < suns.size(); ++i) check_sun(element("suns", i), suns[i]);
+    for (std::size_t i = 0; i < suns.size(); ++i) check_sun(FieldName("suns")[i], suns[i]);
     check("aerial_perspective_distance_m", inputs.aerial_perspective_distance_m, 1e-3, 1e13);
     check("exposure", inputs.exposure, 1e-30, 1e30);
 }

@@ -100,8 +100,8 @@ double far_depth(const Camera& camera) {
 void check_projection(const glm::dmat4& p) {
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
-            check("camera.projection[" + std::to_string(column) + "][" + std::to_string(row) + "]", p[column][row], -1e30,
-                  1e30);
+            check(FieldName("camera.projection")[static_cast<std::size_t>(column)][static_cast<std::size_t>(row)],
+                  p[column][row], -1e30, 1e30);
     const glm::dvec3 x = row_xyz(p, 0), y = row_xyz(p, 1), z = row_xyz(p, 2), w = row_xyz(p, 3);
     constexpr double tiny = 1e-9;
     const bool parallel = is_orthographic(p);

@@ -33,31 +33,20 @@ RayMap piece_map(Ray ray, real t0, real t1, bool dense_end) {
     return ray_map(t1 - t0, h, abs(view_mu_after(ray, t, h)), air.y, dense_end ? real(0) : air.x);
 }
 
-// Behind so many optical depths of a piece nothing is seen beside what it shows itself: 3e-4 of it, and that is not lost but taken to
-// be as the rest (see the share of what a piece catches, below).
+// A channel is followed through so many optical depths in one piece: nodes that reach farther see too little of the first few.
 CONST(real, OPAQUE_DEPTH, real(8))
-// A channel that is so deep shows nothing any more; and of a piece that is so deep the nodes may see too little.
-CONST(real, UNSEEN_DEPTH, real(64))
+// Behind so many a channel shows 2.5e-3 of its light, of which nodes wherever they are miss a part.
+CONST(real, HIDDEN_DEPTH, real(6))
 CONST(int, MOST_CUTS, 3)
 
-// Least and greatest optical depth of a piece in the channels that still show anything, `before` being the depths in front of it.
-vec2 shown_depths(vec3 depth, vec3 before) {
-    real least = real(1e30);
-    real most = real(0);
-    for (int c = 0; c < 3; ++c) {
-        if (before[c] > UNSEEN_DEPTH) continue;
-        least = min(least, depth[c]);
-        most = max(most, depth[c]);
-    }
-    return vec2(min(least, most), most);
-}
-// 1 where all of these channels are opaque, or one of them too deep for the nodes; in proportion to the depths.
+// Above 1 where a channel becomes opaque that is still seen, `before` being the depths in front of the piece; in proportion to its depth.
 real opacity(vec3 depth, vec3 before) {
-    vec2 shown = shown_depths(depth, before);
-    return max(shown.x / OPAQUE_DEPTH, shown.y / UNSEEN_DEPTH);
+    vec3 seen = mix(depth, vec3(real(0)), lessThan(vec3(HIDDEN_DEPTH), before));
+    return max(seen.x, max(seen.y, seen.z)) / OPAQUE_DEPTH;
 }
+bool hidden(vec3 depth) { return min(depth.x, min(depth.y, depth.z)) >= HIDDEN_DEPTH; }
 
-// Where a piece whose far end is dense becomes opaque (t1 if it does not), by the air at its nodes and at its ends: between two of
+// Where a piece whose far end is dense becomes opaque in some channel (t1 if it does not), by the air at its nodes and at its ends: between two of
 // them it is taken to be no denser than at the thinner. Found along straight lines, so that it moves steadily with the ray.
 real opaque_distance(Ray ray, real t0, real t1, RayMap map, vec3 before) {
     real t = t0;
@@ -80,8 +69,8 @@ real opaque_distance(Ray ray, real t0, real t1, RayMap map, vec3 before) {
 }
 
 // One smooth piece [t0, t1] of the ray, after what `light` has gathered already. Where its nodes lie towards its far end, and may all
-// be behind what is seen, it is cut there: t1 comes back as its new end, or, where nothing behind it is seen, as it was, and
-// `opaque` is true.
+// be behind what a channel shows, it is cut there: t1 comes back as its new end, for the other channels to go on from, or, where
+// nothing behind it is seen in any, as it was, and `opaque` is true.
 void march_piece(Ray ray, real t0, INOUT(real) t1, bool dense_end, bool lit, INOUT(RayLight) light, INOUT(bool) opaque) {
     LOCAL_ARRAY(real, density, RAY_NODES * (TERM_COUNT + 1), MAX_NODES * (MAX_TERMS + 1))  // times dt/du
     real uncut = t1;
@@ -154,14 +143,16 @@ void march_piece(Ray ray, real t0, INOUT(real) t1, bool dense_end, bool lit, INO
     } while (k < RAY_NODES);
     // What a piece catches is known: 1 - exp(-whole). In thick air a few nodes miss it, by either sign, and where the fixed point of
     // multiple scattering caught more than there is, it would grow without end.
-    vec3 exact = exp(-light.depth) * whole * mean_transmittance(whole);
+    // The air behind an opaque piece is taken to shine as what is seen of it.
+    opaque = t1 < uncut && hidden(light.depth + whole);
+    vec3 passed = opaque ? uncut_depth : whole;
+    vec3 exact = exp(-light.depth) * passed * mean_transmittance(passed);
     vec3 none = vec3(real(1e-20));
     vec3 share = mix(exact / max(caught, none), vec3(real(1)), lessThan(caught, none));
     if (SINGLE_SCATTERING)
         for (int c = 0; c < PHASE_COUNT; ++c) light.single[c] += share * single[c];
     if (MULTIPLE_SCATTERING) light.multiple += share * multiple;
-    opaque = t1 < uncut && shown_depths(whole, light.depth).x >= real(0.9) * OPAQUE_DEPTH;
-    light.depth += opaque ? uncut_depth : whole;
+    light.depth += passed;
     if (opaque) t1 = uncut;
 }
 

@@ -15,7 +15,9 @@ Objects::~Objects() {
 TrackedTexture Objects::texture(const rhi::TextureDesc& desc) {
     handles_.reserve(handles_.size() + 1);  // so that nothing is lost between creation and remembering
     TrackedTexture texture;
-    texture.handle = device_->create_texture(desc);
+    rhi::TextureDesc readable = desc;
+    readable.usage = desc.usage | rhi::Usage::copy_source;  // for debuggers and tools, which read tables back
+    texture.handle = device_->create_texture(readable);
     handles_.emplace_back(texture.handle);
     texture.extent = desc.extent;
     texture.format = desc.format;

@@ -274,15 +274,18 @@ rhi::Buffer View::air_block() const noexcept { return impl_->tables->shared.air.
 rhi::Buffer View::view_block() const noexcept { return impl_->tables->block_buffer.handle; }
 rhi::Texture View::phase_table() const noexcept { return impl_->tables->shared.air.phase_table.handle; }
 rhi::Texture View::profile_table() const noexcept { return impl_->tables->shared.air.profile_table.handle; }
-std::string View::shader_defines() const {
-    std::string text;
+std::vector<rhi::Specialization> View::shader_constants() const {
     const detail::ModelView& model = *impl_->tables->model;
     detail::Specialize constants = impl_->tables->shared.specialize();
     constants.set(7, false);  // the azimuth axis of sky_view.glsl, where the model does not say otherwise
     for (const rhi::Specialization& s : model.kernels().specialization) constants.set(s);
     constants.set(25,
                   model.kernels().aerial_perspective && model.aerial_perspective_table());  // HAS_FROXELS of host/aureole.glsl
-    for (const rhi::Specialization& s : constants.values())
+    return {constants.values().begin(), constants.values().end()};
+}
+std::string View::shader_defines() const {
+    std::string text;
+    for (const rhi::Specialization& s : shader_constants())
         text += "#define AUREOLE_SPEC_" + std::to_string(s.id) + " " + std::to_string(static_cast<std::int32_t>(s.bits)) + "\n";
     return text;
 }

@@ -97,7 +97,7 @@ void check_planet(const std::string& field, const Planet& planet) {
     check_rgb(field + ".ground_albedo", planet.ground_albedo, 0, 1);
 }
 
-void check_sun(const std::string& field, const Sun& sun) {
+void check_sun(const FieldName& field, const Sun& sun) {
     const glm::dvec3& d = sun.direction;
     check_xyz(field + ".direction", d, -1e100, 1e100);
     if (!(std::hypot(d.x, d.y, d.z) >= 1e-100)) reject(field + ".direction", "(0, 0, 0)", "a length of at least 1e-100");

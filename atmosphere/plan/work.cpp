@@ -13,7 +13,7 @@ namespace {
 // What a node along a ray takes besides its moments, in moments: measured on llvmpipe, where qualities whose moments go from 1
 // to 45 then take the same time a unit, within 15 % (plan.md).
 constexpr double node_of_air = 4, node_of_view = 9.5;
-constexpr double tabulated_profile = 1;  // more, for each
+constexpr double tabulated_profile = 0.5;  // more, for each: 12 % in `low`, 10 % in `default`
 // A node of a column through an exponential term, in the same unit, measured likewise: where all terms are exponential, and the
 // kernel needs no cuts (column.glsl); else of each part so many times more.
 constexpr double node_of_column = 0.7, cut_column = 2.6;

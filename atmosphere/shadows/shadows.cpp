@@ -49,10 +49,10 @@ void validate(const ShadowMap& map, const ShadowSettings& settings, std::uint32_
     constexpr double most = std::numeric_limits<double>::max();
     if (settings.cascades == 0) reject("shadow_map", "a map", "none: ViewSettings::shadows.cascades is 0");
     for (std::uint32_t i = 0; i < settings.cascades; ++i)
-        for (int column = 0; column < 4; ++column)
-            for (int row = 0; row < 4; ++row)
-                check(element("shadow_map.world_to_map", i) + "[" + std::to_string(column) + "][" + std::to_string(row) + "]",
-                      map.world_to_map[i][column][row], -most, most);
+        for (std::uint32_t column = 0; column < 4; ++column)
+            for (std::uint32_t row = 0; row < 4; ++row)
+                check(FieldName("shadow_map.world_to_map")[i][column][row],
+                      map.world_to_map[i][static_cast<int>(column)][static_cast<int>(row)], -most, most);
     check("shadow_map.sun", map.sun, 0, max_suns - 1);
     check("shadow_map.bias", map.bias, 0, 1);
     const rhi::TextureDesc* desc = map.texture ? device.find(map.texture) : nullptr;

@@ -187,9 +187,9 @@ FrameRenderer::FrameRenderer(Backend& backend, const Scene& scene, const Land* l
       scene_(scene),
       land_(land),
       options_(options),
-      camera_altitude_m_(land ? land->camera_altitude_m() : scene.camera.altitude_m),
-      rounds_(rounds_of(scene.model, options.width, options.height, options.samples, land != nullptr)),
-      air_(backend.device(), scene.atmosphere, metering_model(scene.model)) {
+      rounds_(options.model ? std::nullopt
+                            : rounds_of(scene.model, options.width, options.height, options.samples, land != nullptr)),
+      air_(backend.device(), scene.atmosphere, options.model ? options.model : metering_model(scene.model)) {
     if (options.raster && !backend.device().capabilities().raster)
         throw Error(ErrorCode::unsupported, "--raster: " + backend.describe() + " has no raster pipelines");
     check_size(options, backend.device().capabilities().max_texture_2d, rounds_ && !rounds_->averaged());
@@ -203,6 +203,7 @@ void FrameRenderer::make_targets() {
     CompositeSettings composite;
     composite.scene_color = composite.scene_depth = land_ != nullptr;
     ViewSettings settings = view_settings(scene_, land_ != nullptr);
+    settings.aerial_perspective = settings.aerial_perspective && options_.aerial_perspective;
 
     CompositeSettings shown = composite;
     shown.raster = options_.raster;
@@ -242,7 +243,7 @@ FrameRenderer::~FrameRenderer() = default;
 /// Drivers compile a pipeline when it is first used: what is timed must not be the first use. Air with tables of the scene's
 /// own would get new pipelines by a change, so there the air's passes are left as they are. Paths take longer than compiling.
 void FrameRenderer::warm_up(const Camera& camera, const std::vector<Sun>& suns) {
-    if (warm_ || traced_ || backend_.cpu() || !if_supported(backend_, air_slots).enabled) return;
+    if (warm_ || !options_.warm_up || traced_ || backend_.cpu() || !if_supported(backend_, air_slots).enabled) return;
     warm_ = true;
     AtmosphereParameters other = scene_.atmosphere;
     other.planet.ground_albedo = Rgb(1) - 0.5 * other.planet.ground_albedo;
@@ -257,14 +258,30 @@ void FrameRenderer::warm_up(const Camera& camera, const std::vector<Sun>& suns) 
     if (twice) air_.set_parameters(scene_.atmosphere);
 }
 
+const View& FrameRenderer::view() const noexcept { return target_->view; }
+
+void FrameRenderer::follow_air() {
+    air_.set_parameters(scene_.atmosphere);
+    if (traced_) traced_->set_parameters(scene_.atmosphere);
+}
+
 void FrameRenderer::record_air(std::vector<PassTime>& times) {
     times = std::exchange(air_times_, {});
     solve(backend_, air_, times);
 }
 
-double FrameRenderer::measure_exposure(const std::vector<Sun>& suns, const std::optional<TerrainLight>& light) {
+/// Where suns and air are those of the picture before, so is the light.
+const TerrainLight& FrameRenderer::light_of_land(const std::vector<Sun>& suns) {
+    if (light_ && lit_by_ == suns && lit_in_ == scene_.atmosphere) return *light_;
+    light_ = land_->measure_light(backend_, air_, suns);
+    lit_by_ = suns;
+    lit_in_ = scene_.atmosphere;
+    return *light_;
+}
+
+double FrameRenderer::measure_exposure(const std::vector<Sun>& suns, const TerrainLight* light) {
     Target& meter = *meter_;
-    const Camera camera = camera_of(scene_, camera_altitude_m_, meter.targets.extent.width, meter.targets.extent.height);
+    const Camera camera = camera_of(scene_, camera_altitude_m(), meter.targets.extent.width, meter.targets.extent.height);
     if (light) {
         const TerrainPicture land = land_->cast(camera, *light, meter.targets.extent.width, meter.targets.extent.height);
         meter.give_land(land.rgba, land.depth);
@@ -303,7 +320,7 @@ void FrameRenderer::draw(Frame& frame, std::uint64_t number, const std::function
     const std::uint32_t width = target.targets.extent.width, height = target.targets.extent.height;
     if (display_) {
         last = &display_->target;
-        display_->draw(camera_of(scene_, camera_altitude_m_, width, height), mean, frame.exposure);
+        display_->draw(camera_of(scene_, camera_altitude_m(), width, height), mean, frame.exposure);
     }
     backend_.check();
     if (options_.linear) {
@@ -319,13 +336,13 @@ void FrameRenderer::draw(Frame& frame, std::uint64_t number, const std::function
 Frame FrameRenderer::render(const std::vector<Sun>& suns, std::uint64_t number, const std::function<void()>& after_round) {
     Frame frame;
     Target& target = *target_;
+    follow_air();
     const std::uint32_t width = target.targets.extent.width, height = target.targets.extent.height;
-    const Camera camera = camera_of(scene_, camera_altitude_m_, width, height);
+    const Camera camera = camera_of(scene_, camera_altitude_m(), width, height);
     warm_up(camera, suns);
     air_.set_frame(number);
     record_air(frame.times);
-    std::optional<TerrainLight> light;
-    if (land_) light = land_->measure_light(backend_, air_, suns);
+    const TerrainLight* light = land_ ? &light_of_land(suns) : nullptr;
     if (!options_.linear) {
         frame.exposure = scene_.exposure.factor ? *scene_.exposure.factor : measure_exposure(suns, light);
         frame.exposure *= std::exp2(scene_.exposure.stops);
@@ -341,45 +358,9 @@ Frame FrameRenderer::render(const std::vector<Sun>& suns, std::uint64_t number, 
     target.view.set_exposure(averaged() ? 1 : frame.exposure);
     target.view.update(camera, suns);
     draw(frame, number, after_round);
+    frame.passes.assign(air().reports().begin(), air().reports().end());
+    frame.passes.insert(frame.passes.end(), target.view.reports().begin(), target.view.reports().end());
     return frame;
-}
-
-DisplayImage downsample(std::span<const std::uint8_t> rgba, std::uint32_t width, std::uint32_t height, std::uint32_t samples) {
-    DisplayImage image{width / samples, height / samples, {}};
-    image.rgb.resize(std::size_t{3} * image.width * image.height);
-    const std::uint32_t count = samples * samples;
-    // Thresholds of a 4 x 4 Bayer matrix, in sixteenths.
-    static constexpr std::uint32_t bayer[16] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
-    for (std::uint32_t y = 0; y < image.height; ++y) {
-        for (std::uint32_t x = 0; x < image.width; ++x) {
-            const std::uint32_t threshold = count * (2 * bayer[4 * (y % 4) + x % 4] + 1) / 32;
-            for (std::uint32_t c = 0; c < 3; ++c) {
-                std::uint32_t sum = 0;
-                for (std::uint32_t j = 0; j < samples; ++j)
-                    for (std::uint32_t i = 0; i < samples; ++i)
-                        sum += rgba[4 * (std::size_t{y * samples + j} * width + x * samples + i) + c];
-                image.rgb[3 * (std::size_t{y} * image.width + x) + c] = static_cast<std::uint8_t>((sum + threshold) / count);
-            }
-        }
-    }
-    return image;
-}
-
-LinearImage downsample(std::span<const float> rgba, std::uint32_t width, std::uint32_t height, std::uint32_t samples) {
-    LinearImage image{width / samples, height / samples, {}};
-    image.rgb.resize(std::size_t{3} * image.width * image.height);
-    for (std::uint32_t y = 0; y < image.height; ++y) {
-        for (std::uint32_t x = 0; x < image.width; ++x) {
-            for (std::uint32_t c = 0; c < 3; ++c) {
-                float sum = 0;
-                for (std::uint32_t j = 0; j < samples; ++j)
-                    for (std::uint32_t i = 0; i < samples; ++i)
-                        sum += rgba[4 * (std::size_t{y * samples + j} * width + x * samples + i) + c];
-                image.rgb[3 * (std::size_t{y} * image.width + x) + c] = sum / static_cast<float>(samples * samples);
-            }
-        }
-    }
-    return image;
 }
 
 }  // namespace aureole::app

@@ -17,9 +17,12 @@ namespace aureole::app {
 
 struct FrameOptions {
     std::uint32_t width = 1280, height = 720;
-    bool linear = false;        ///< Scene-linear floats (for EXR), not what a display takes.
-    bool raster = false;        ///< Composite with a full-screen draw instead of compute.
-    std::uint32_t samples = 1;  ///< Pixels are averages of samples by samples, in [1, 4].
+    bool linear = false;             ///< Scene-linear floats (for EXR), not what a display takes.
+    bool raster = false;             ///< Composite with a full-screen draw instead of compute.
+    std::uint32_t samples = 1;       ///< Pixels are averages of samples by samples, in [1, 4].
+    ModelPtr model{};                ///< Instead of the scene's, none of rounds.h; null: the scene's.
+    bool aerial_perspective = true;  ///< Of scenes with land: the air before it.
+    bool warm_up = true;             ///< False: a driver's work at first use is part of the first picture's times.
 };
 
 struct Frame {
@@ -27,13 +30,17 @@ struct Frame {
     LinearImage linear;    ///< Radiance, not exposed.
     double exposure = 1;
     std::vector<PassTime> times;
+    std::vector<PassReport> passes;  ///< Of the air, then of the view.
 };
 
 class FrameRenderer {
 public:
-    /// `backend` and `land` (null: none) must outlive the renderer. Throws Error(unsupported) naming --size and --samples if
-    /// the device takes no picture of samples times the size. A model that takes no shadows in the air (fog, reference) goes
-    /// without, and the log says so.
+    /// `backend`, `scene` and `land` (null: none) must outlive the renderer. Throws Error(unsupported) naming --size and
+    /// --samples if the device takes no picture of samples times the size. A model that takes no shadows in the air (fog,
+    /// reference) goes without, and the log says so.
+    ///
+    /// Between pictures the scene may change in its air, its camera (but for the projection), its suns (but for their number)
+    /// and the value and stops of its exposure; the land follows it (Land::follow). All else takes a renderer of its own.
     FrameRenderer(Backend& backend, const Scene& scene, const Land* land, const FrameOptions& options);
     ~FrameRenderer();
 
@@ -44,6 +51,10 @@ public:
                                const std::function<void()>& after_round = {});
     /// Rounds of a picture: 1 for all models but `reference` (rounds.h).
     [[nodiscard]] std::uint32_t rounds() const noexcept { return rounds_ ? rounds_->count : 1; }
+    /// Of the picture, as they were last recorded: for tools that read tables back. And the air that meters.
+    [[nodiscard]] const Atmosphere& air() const noexcept { return traced_ ? *traced_ : air_; }
+    [[nodiscard]] Atmosphere& metering_air() noexcept { return air_; }
+    [[nodiscard]] const View& view() const noexcept;
 
 private:
     struct Canvas;
@@ -54,19 +65,24 @@ private:
     void draw(Frame& frame, std::uint64_t number, const std::function<void()>& after_round);
     void warm_up(const Camera& camera, const std::vector<Sun>& suns);
     void record_air(std::vector<PassTime>& times);
-    [[nodiscard]] double measure_exposure(const std::vector<Sun>& suns, const std::optional<TerrainLight>& light);
+    void follow_air();
+    [[nodiscard]] const TerrainLight& light_of_land(const std::vector<Sun>& suns);
+    [[nodiscard]] double measure_exposure(const std::vector<Sun>& suns, const TerrainLight* light);
+    [[nodiscard]] double camera_altitude_m() const { return land_ ? land_->camera_altitude_m() : scene_.camera.altitude_m; }
 
     Backend& backend_;
     const Scene& scene_;
     const Land* land_;
     FrameOptions options_;
-    double camera_altitude_m_;
     std::optional<Rounds> rounds_;
     Atmosphere air_;                      ///< That of the meter and of the land's light, and of the picture as a rule.
     std::unique_ptr<Atmosphere> traced_;  ///< That of the picture, with rounds.
     std::unique_ptr<Target> target_, meter_;
-    std::unique_ptr<Display> display_;  ///< Of a mean of composites.
-    std::vector<PassTime> air_times_;   ///< Of a solution that the warm-up has made.
+    std::unique_ptr<Display> display_;   ///< Of a mean of composites.
+    std::vector<PassTime> air_times_;    ///< Of a solution that the warm-up has made.
+    std::optional<TerrainLight> light_;  ///< Of `lit_by_`, in `lit_in_`.
+    std::vector<Sun> lit_by_;
+    AtmosphereParameters lit_in_;
     bool warm_ = false;
 };
 

@@ -37,17 +37,23 @@ HeightMap read_map(const SceneTerrain& terrain, const std::filesystem::path& hei
 }  // namespace
 
 Land::Land(const Scene& scene, const std::filesystem::path& height_map)
-    : bottom_radius_m_(scene.atmosphere.planet.bottom_radius_m) {
+    : field_(std::make_unique<HeightField>(read_map(*scene.terrain, height_map), scene.terrain->vertical_exaggeration)) {
+    follow(scene);
+}
+
+void Land::follow(const Scene& scene) {
     const SceneTerrain& terrain = *scene.terrain;
-    look_ = {terrain.albedo, terrain.range_m};
-    field_ = std::make_unique<HeightField>(read_map(terrain, height_map), terrain.vertical_exaggeration);
     const glm::dvec2 anchor(terrain.camera_east_m, terrain.camera_north_m);
-    caster_ = std::make_unique<RayCaster>(*field_, bottom_radius_m_, anchor);
     const double ground = field_->height(anchor);
-    camera_altitude_m_ = scene.camera.clearance_m ? ground + *scene.camera.clearance_m : scene.camera.altitude_m;
-    if (camera_altitude_m_ < ground)
-        throw Error(ErrorCode::invalid_argument, "camera.altitude_m", print_number(camera_altitude_m_),
+    const double altitude = scene.camera.clearance_m ? ground + *scene.camera.clearance_m : scene.camera.altitude_m;
+    if (altitude < ground)
+        throw Error(ErrorCode::invalid_argument, "camera.altitude_m", print_number(altitude),
                     "at least " + print_number(ground) + ", the height of the land there");
+    bottom_radius_m_ = scene.atmosphere.planet.bottom_radius_m;
+    caster_ = std::make_unique<RayCaster>(*field_, bottom_radius_m_, anchor);
+    look_ = {terrain.albedo, terrain.range_m};
+    camera_altitude_m_ = altitude;
+    ground_m_ = ground;
 }
 
 TerrainLight Land::measure_light(Backend& backend, Atmosphere& air, const std::vector<Sun>& suns) const {

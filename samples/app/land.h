@@ -18,7 +18,13 @@ public:
     /// Reads the height map. Throws Error: io, invalid_argument (also if the camera stands inside the land).
     Land(const Scene& scene, const std::filesystem::path& height_map);
 
+    /// Where this scene has its camera, its planet and how the land looks, on the height map as it was read. Throws
+    /// Error(invalid_argument) if the camera stands inside the land, and changes nothing then.
+    void follow(const Scene& scene);
+
     [[nodiscard]] double camera_altitude_m() const noexcept { return camera_altitude_m_; }
+    /// Of the land below the camera, above the planet's ground radius.
+    [[nodiscard]] double ground_m() const noexcept { return ground_m_; }
 
     /// Light of the suns at the lowest and the highest point, from the tables of `air` (left recorded).
     [[nodiscard]] TerrainLight measure_light(Backend& backend, Atmosphere& air, const std::vector<Sun>& suns) const;
@@ -31,11 +37,11 @@ public:
     }
 
 private:
-    double bottom_radius_m_;
+    double bottom_radius_m_ = 0;
     TerrainLook look_;
     std::unique_ptr<HeightField> field_;
     std::unique_ptr<RayCaster> caster_;
-    double camera_altitude_m_ = 0;
+    double camera_altitude_m_ = 0, ground_m_ = 0;
 };
 
 }  // namespace aureole::app

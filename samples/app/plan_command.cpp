@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/plan_needs.h"
 #include "app/speed.h"
 #include "io/csv.h"
 #include "io/file.h"
@@ -84,33 +85,13 @@ PlanRange parse_range(const std::string& option, const std::string& text) {
     return {least, most};
 }
 
-PlanRequirements of_scene(const Scene& scene) {
-    PlanRequirements needs;
-    needs.air = scene.atmosphere;
-    needs.altitude_m = {scene.camera.altitude_m, scene.camera.altitude_m};
-    if (!scene.suns.empty()) {
-        const auto elevation = [](const SceneSun& sun) { return sun.pose.elevation_deg; };
-        const auto [least, most] = std::ranges::minmax(scene.suns, {}, elevation);
-        needs.sun_elevation_deg = {elevation(least), elevation(most)};
-        needs.suns = static_cast<std::uint32_t>(scene.suns.size());
-    }
-    needs.projection = scene.camera.projection;
-    needs.geometry = scene.terrain.has_value();
-    needs.geometry_range_m = scene.aerial_perspective_distance_m;
-    needs.shadows = scene.terrain && scene.terrain->air_shadows_m > 0;
-    needs.wavelengths = !scene.model.in_rgb();
-    needs.width = scene.width;
-    needs.height = scene.height;
-    return needs;
-}
-
 PlanRequirements requirements_of(const PlanCommand& command) {
     const auto presets = presets::names();
     PlanRequirements needs;
     if (std::ranges::find(presets, command.scene) != presets.end())
         needs.air = presets::by_name(command.scene);
     else
-        needs = of_scene(read_scene(command.scene));
+        needs = plan_needs(read_scene(command.scene));
     if (!command.visibility.empty()) {
         if (command.scene != "earth")
             throw Error(ErrorCode::invalid_argument, "--visibility", "of " + command.scene, "the preset earth, as SCENE");

@@ -22,6 +22,7 @@ struct HeightMapOptions {
     std::optional<double> spacing_m;  ///< Between points, both ways. > 0. Needed unless the file says (an .npz may).
     double meters_per_unit = 1;       ///< Height of one unit of the file. Finite, not 0.
     double offset_m = 0;              ///< Added to every height. Finite.
+    [[nodiscard]] bool operator==(const HeightMapOptions&) const = default;
 };
 
 /// By the file's extension:

@@ -109,8 +109,10 @@ TEST_CASE("costs: the work of another air is foretold by the settings that it ge
         const detail::TableWork work = detail::table_work(*model, subjects[i].air);
         const auto ratio = [&](std::uint64_t a, std::uint64_t b) { return static_cast<double>(a) / static_cast<double>(b); };
         const double within =
-            subjects[i].label == "thick haze" ? 0.25 : 0.15;  // an opaque ray is cut, and its nodes placed again
-        if (subjects[i].label != "us_standard_1976")          // look-ups of a profile are many, and cheap
+            std::string_view(subjects[i].label).find("haz") != std::string_view::npos
+                ? 0.25  // an opaque ray is cut, and its nodes placed again: counted, but next to nothing in milliseconds
+                : 0.15;
+        if (subjects[i].label != "us_standard_1976")  // look-ups of a profile are many, and cheap
             CHECK(work.rebuild / earth.rebuild == doctest::Approx(reads(i) / reads(0)).epsilon(within).scale(1e-300));
         CHECK(work.air_memory / earth.air_memory ==
               doctest::Approx(ratio(found[i].air_bytes, found[0].air_bytes)).epsilon(0.02).scale(1e-300));

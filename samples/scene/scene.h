@@ -20,6 +20,7 @@ namespace aureole::app {
 struct ScenePose {
     double bearing_deg = 0;    ///< Clockwise from north, seen from above.
     double elevation_deg = 0;  ///< Above the horizontal, in [-90, 90].
+    [[nodiscard]] bool operator==(const ScenePose&) const = default;
 };
 /// Unit vector of a pose.
 [[nodiscard]] glm::dvec3 direction_of(const ScenePose& pose);
@@ -29,6 +30,7 @@ struct SceneSun {
     std::optional<Rgb> irradiance = Rgb(1);  ///< None: of the real sun's colour (suns_of).
     double angular_radius_deg = 0.2678;
     LimbDarkening limb_darkening = LimbDarkening::neckel94;
+    [[nodiscard]] bool operator==(const SceneSun&) const = default;
 };
 
 struct SceneCamera {
@@ -37,6 +39,7 @@ struct SceneCamera {
     ScenePose pose;
     double vertical_fov_deg = 60;
     Projection projection = Projection::matrix;
+    [[nodiscard]] bool operator==(const SceneCamera&) const = default;
 };
 
 struct SceneTerrain {
@@ -48,11 +51,13 @@ struct SceneTerrain {
     double range_m = 250e3;                        ///< How far from the camera terrain is looked for.
     double air_shadows_m = 0;                      ///< How far from the camera the land shadows the air; 0: not at all.
     std::optional<Rgb> albedo;                     ///< None: fields, forest and rock by slope and altitude.
+    [[nodiscard]] bool operator==(const SceneTerrain&) const = default;
 };
 
 struct SceneExposure {
     std::optional<double> factor;  ///< Multiplies radiance. None: automatic.
     double stops = 0;              ///< Added to either, in powers of two.
+    [[nodiscard]] bool operator==(const SceneExposure&) const = default;
 };
 
 /// Which model makes the sky, and how finely.
@@ -68,6 +73,7 @@ struct SceneModel {
     [[nodiscard]] ModelPtr in_its_colours(ModelPtr model) const;
     /// "model aureole, quality default", and ", 4 wavelengths" where it is not in RGB.
     [[nodiscard]] std::string describe() const;
+    [[nodiscard]] bool operator==(const SceneModel&) const = default;
 };
 
 struct Scene {
@@ -82,6 +88,7 @@ struct Scene {
     double aerial_perspective_distance_m = 96000;
     std::uint32_t width = 1280, height = 720;
     std::optional<SceneTerrain> terrain;
+    [[nodiscard]] bool operator==(const Scene&) const = default;
 };
 
 class Section;

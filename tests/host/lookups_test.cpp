@@ -131,6 +131,19 @@ TEST_CASE("without froxels the air before a point is clear") {
     shown.rig.show({4, 4, 1});
 }
 
+TEST_CASE("a shader that is compiled ahead gets the constants that the text defines") {
+    Shown shown(open_cpu_float(), noon());
+    const std::vector<rhi::Specialization> defined = specialization_of(shown.rig.view),
+                                           given = shown.rig.view.shader_constants();
+    REQUIRE(given.size() == defined.size());
+    REQUIRE(given.size() > 5);
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        CHECK(given[i].id == defined[i].id);
+        CHECK(given[i].bits == defined[i].bits);
+        CHECK(given[i].id < 64);
+    }
+}
+
 TEST_CASE("a zenith sun reaches the ground, any height and space through the air that is above them") {
     for (const char* preset : {"earth", "hazy_earth", "mars"}) {
         INFO(preset);

@@ -71,7 +71,7 @@ std::vector<Answer> ask(passes::Rig& rig, std::span<const Question> questions) {
     const rhi::Texture asked = rig.backend.make("questions", rhi::Format::rgba32_float, {{3, count, 1}, encode(questions)});
     const rhi::Texture answers =
         rig.backend.make_target(rhi::Format::rgba32_float, {answer_columns, count, 1}, rhi::State::storage_write);
-    const std::vector<rhi::Specialization> specialization = specialization_of(rig.view);
+    const std::vector<rhi::Specialization> specialization = rig.view.shader_constants();
     const rhi::Shader& shader = shaders::host_lookups;
     const rhi::Pipeline pipeline = device.create_compute_pipeline({"host_lookups", &shader, specialization});
     const rhi::Sampler linear = device.create_sampler({rhi::Filter::linear});

@@ -1,7 +1,8 @@
 # Installs a build into a staging folder, moves it (a package must not know where it was born), and configures, builds and runs
 # the outside project beside this file against it.
-# Then the shader that it wrote, which includes the installed look-ups, is compiled, a second project without any backend is built
-# and run, and a program that knows nothing but what pkg-config says.
+# Then the shader that it wrote, which includes the installed look-ups, is compiled, and four more projects are built and run: one
+# without any backend, one that proves a device with the conformance kit, one in C, and a program that knows nothing but what
+# pkg-config says.
 #   cmake -D BUILD_DIR=... -D WORK_DIR=... -D CXX_COMPILER=... -D GLSLANG=... -P install_test.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -46,6 +47,8 @@ endfunction()
 build_and_run("${CMAKE_CURRENT_LIST_DIR}" "${WORK_DIR}/build" outside "${WORK_DIR}/host.comp")
 step("${GLSLANG}" -V --target-env vulkan1.1 "-I${WORK_DIR}/prefix/include" -o "${WORK_DIR}/host.spv" "${WORK_DIR}/host.comp")
 build_and_run("${CMAKE_CURRENT_LIST_DIR}/rhi_only" "${WORK_DIR}/build_rhi_only" outside_rhi)
+build_and_run("${CMAKE_CURRENT_LIST_DIR}/rhi_tests" "${WORK_DIR}/build_rhi_tests" outside_rhi_tests)
+build_and_run("${CMAKE_CURRENT_LIST_DIR}/c" "${WORK_DIR}/build_c" outside_c)
 
 find_program(pkg_config pkg-config)
 if(pkg_config)

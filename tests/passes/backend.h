@@ -13,19 +13,9 @@
 #include <vector>
 
 #include "passes/counting_device.h"
+#include "rhi/image.h"
 
 namespace aureole::passes {
-
-/// A texture's texels, row by row, slice by slice.
-struct Image {
-    rhi::Extent extent{};
-    std::vector<glm::dvec4> texels{};
-
-    [[nodiscard]] const glm::dvec4& at(std::uint32_t x, std::uint32_t y, std::uint32_t z = 0) const {
-        return texels.at((std::size_t{z} * extent.height + y) * extent.width + x);
-    }
-    [[nodiscard]] bool operator==(const Image&) const = default;
-};
 
 /// A device and its queue, however they were made.
 struct OpenDevice {

@@ -11,11 +11,9 @@
 #include <vector>
 
 #include "passes/backend.h"
+#include "rhi/place.h"
 
 namespace aureole::passes {
-
-/// Small tables of odd shapes: no side is a multiple of a workgroup's, none is square.
-[[nodiscard]] QualitySettings small_quality();
 
 struct Setup {
     AtmosphereParameters air = presets::earth();
@@ -58,11 +56,6 @@ public:
 
 /// The presets by name that every pass is compared for.
 [[nodiscard]] std::span<const char* const> preset_names();
-
-/// The sun at an elevation, towards +x, seen from the +z pole.
-[[nodiscard]] Sun sun_at(double elevation_deg);
-/// At an altitude over the +z pole, looking a little below the horizon and 40 degrees away from the sun.
-[[nodiscard]] Camera camera_at(const Planet& planet, double altitude_m);
 
 /// Elevations from 90 to -12 degrees; altitudes from the ground to 1000 km, with both sides of the top.
 [[nodiscard]] std::span<const double> elevations_deg();

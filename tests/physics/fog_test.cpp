@@ -119,6 +119,37 @@ TEST_CASE("fog filling the shell, from just below its top: single scattering is 
     }
 }
 
+TEST_CASE("fog in the shell of a wide planet: a clear, a middling and an opaque channel are each by the law of a layer") {
+    // A ray is cut where the air hides what is behind it, but not before the clear channel, which sees all of the layer.
+    for (const double thickest : {1e-3, 1e-2, 0.1}) {
+        CAPTURE(thickest);
+        AtmosphereParameters air;
+        air.planet = {.bottom_radius_m = 6e9, .top_radius_m = 6e9 + 1e5};
+        air.planet.ground_albedo = Rgb(0);
+        const Rgb extinction(1e-6, 3e-5, thickest);
+        air.terms = {even_term(extinction, Rgb(0), HenyeyGreensteinPhase{0.5})};
+        SkyOptions options;
+        options.model = models::single({});
+        Sky sky(cpu_float(), air, options);
+        const double sun = 60 * degree;
+        const double above = 1 / thickest;
+        sky.stand(1e5 - above, sun_at(sun));
+        Worst worst;
+        for (const double down : {5.0, 20.0, 50.0, 90.0}) {
+            const glm::dvec3 eye = direction((90 + down) * degree, 90 * degree);
+            const double mu = std::sin(down * degree), mu_s = std::cos(sun);
+            const double phase = evaluate(HenyeyGreensteinPhase{0.5}, glm::dot(eye, direction(sun)));
+            const Rgb seen = sky.radiance(eye);
+            for (int c = 0; c < 3; ++c) {
+                const double layer = -std::expm1(-extinction[c] * (1e5 - above) * (1 / mu + 1 / mu_s));
+                const double expected = phase * std::exp(-extinction[c] * above / mu_s) * mu_s / (mu_s + mu) * layer;
+                worst.add(std::abs(seen[c] / expected - 1), down, c);
+            }
+        }
+        CHECK_WORST(worst, 0.01);
+    }
+}
+
 TEST_CASE("fog: what the sky shows at the horizon is what distant geometry fades into, in every colour") {
     AtmosphereParameters air = presets::earth();
     air.terms.push_back({"fog", ExponentialProfile{100}, Rgb(1e-2), Rgb(0), HenyeyGreensteinPhase{0.7}});

@@ -186,6 +186,27 @@ TEST_CASE("recording allocates nothing on the Vulkan device") {
 }
 #endif
 
+TEST_CASE("a frame's camera, suns, shadow map and exposure allocate nothing either") {
+    const auto machine = cpu::create_cpu_device();
+    Atmosphere air(machine->device(), presets::earth(), passes::small_quality());
+    View view(air, {.max_suns = 2, .shadows = {.cascades = 2}});
+    ShadowMap map;
+    map.texture =
+        machine->device().create_texture({"map", rhi::Dimension::d2, rhi::Format::r32_float, {8, 4, 1}, rhi::Usage::sampled});
+    for (int frame = 0; frame < 3; ++frame) {
+        const Sun suns[] = {passes::sun_at(10 + frame), passes::sun_at(40)};
+        const Camera camera = passes::camera_at(presets::earth().planet, 100.0 + frame);
+        map.world_to_map.fill(glm::dmat4(1e-3 * frame));
+        begin_counting_allocations();
+        air.set_frame(static_cast<std::uint64_t>(frame));
+        view.set_shadow_map(map);
+        view.update(camera, suns);
+        view.set_exposure(1 + frame);
+        const int allocations = end_counting_allocations();
+        if (frame > 0) CHECK(allocations == 0);  // the first one makes room for suns and map
+    }
+}
+
 TEST_CASE("recording: bruneton allocates nothing, at once and in parts") {
     const auto cpu = cpu::create_cpu_device({});
     models::BrunetonSettings settings;

@@ -1,11 +1,11 @@
 // Commands and their order: constants, barriers, draws, timestamps, frames.
-#include <doctest/doctest.h>
-
 #include <bit>
 #include <string>
 
-#include "aureole_rhi_conformance_shaders.h"
+#include "aureole_rhi_tests_shaders.h"
+#include "rhi/checks.h"
 #include "rhi/harness.h"
+#include "rhi/report.h"
 
 namespace aureole::conformance {
 
@@ -51,13 +51,13 @@ void check_specialization(const Target& target) {
     ConstantsRig plain(h, {});
     plain.update({});
     plain.dispatch({});
-    CHECK(h.read(plain.image)[0] == Texel{7, 1, 0.5, 0});
+    expect_equal("default values", h.read(plain.image)[0], {7, 1, 0.5, 0});
 
     const Specialization values[] = {{2, std::bit_cast<std::uint32_t>(-3.25f)}, {0, static_cast<std::uint32_t>(-12)}, {1, 0}};
     ConstantsRig special(h, values);
     special.update({});
     special.dispatch({});
-    CHECK(h.read(special.image)[0] == Texel{-12, 0, -3.25, 0});
+    expect_equal("specialized values", h.read(special.image)[0], {-12, 0, -3.25, 0});
 }
 
 void check_constants(const Target& target) {
@@ -68,11 +68,12 @@ void check_constants(const Target& target) {
     rig.update(u);
     rig.dispatch({10, 20, 30, 40, 50, 60, 70, 80});
     const auto got = h.read(rig.image);
-    CHECK(got[1] == Texel{10, 20, 30, 40});
-    CHECK(got[2] == Texel{50, 60, 70, 80});
-    CHECK(got[3] == Texel{1, 2, 3, 4});
-    CHECK(got[4] == Texel{0 + 40 + 800 + 12000, 1 + 50 + 900 + 13000, 2 + 60 + 1000 + 14000, 3 + 70 + 1100 + 15000});
-    CHECK(got[5] == Texel{-1, 0.5, 1e6, double(1e-6f)});
+    expect_equal("push constants, first vector", got[1], {10, 20, 30, 40});
+    expect_equal("push constants, second vector", got[2], {50, 60, 70, 80});
+    expect_equal("uniforms, first vector", got[3], {1, 2, 3, 4});
+    expect_equal("uniforms, matrix by columns times (1, 10, 100, 1000)", got[4],
+                 {0 + 40 + 800 + 12000, 1 + 50 + 900 + 13000, 2 + 60 + 1000 + 14000, 3 + 70 + 1100 + 15000});
+    expect_equal("uniforms, last vector", got[5], {-1, 0.5, 1e6, double(1e-6f)});
 }
 
 void check_update_order(const Target& target) {
@@ -92,10 +93,10 @@ void check_update_order(const Target& target) {
     rig.dispatch({6});
     const auto second = h.read(rig.image);
     const auto first = h.read(kept);
-    CHECK(first[3][0] == 1);
-    CHECK(first[1][0] == 5);
-    CHECK(second[3][0] == 2);
-    CHECK(second[1][0] == 6);
+    expect_equal("uniforms as the first dispatch sees them", first[3][0], 1);
+    expect_equal("push constants as the first dispatch sees them", first[1][0], 5);
+    expect_equal("uniforms as the second dispatch sees them", second[3][0], 2);
+    expect_equal("push constants as the second dispatch sees them", second[1][0], 6);
 
     // A shorter update leaves the rest.
     h.use(rig.buffer, State::copy_destination);
@@ -103,7 +104,7 @@ void check_update_order(const Target& target) {
     h.list().update_constants(rig.buffer, bytes_of(start));
     h.use(rig.buffer, State::constants);
     rig.dispatch({});
-    CHECK(h.read(rig.image)[3] == Texel{9, 0, 0, 0});
+    expect_equal("uniforms after an update of four bytes", h.read(rig.image)[3], {9, 0, 0, 0});
 }
 
 namespace {
@@ -140,7 +141,8 @@ void check_barriers(const Target& target) {
     for (int i = 0; i < 100; ++i) p.step(h, 1 - i % 2, static_cast<float>(i % 7), {8, 6, 1});
     double sum = 0;
     for (int i = 0; i < 100; ++i) sum += i % 7;
-    CHECK(h.read(p.image[0]) == std::vector<Texel>(extent.width * extent.height, Texel{sum, 1, 2 + sum, 3}));
+    expect_equal("after 100 dispatches, each of which reads what the one before has written", h.read(p.image[0]),
+                 std::vector<Texel>(extent.width * extent.height, Texel{sum, 1, 2 + sum, 3}));
 }
 
 void check_edges(const Target& target) {
@@ -149,16 +151,16 @@ void check_edges(const Target& target) {
     const Extent extent{9, 3, 1};
     PingPong p(h, extent);
     p.step(h, 1, 1, {5, 4, 1});
-    CHECK(h.read(p.image[1]) == std::vector<Texel>(27, Texel{1, 1, 3, 3}));
+    expect_equal("image smaller than its groups", h.read(p.image[1]), std::vector<Texel>(27, Texel{1, 1, 3, 3}));
     // And groups that do not cover the image leave the rest as it was.
     p.step(h, 0, 4, {1, 1, 1});
     const auto got = h.read(p.image[0]);
-    CHECK(got[7] == Texel{5, 1, 7, 3});
-    CHECK(got[8] == Texel{0, 1, 2, 3});
+    expect_equal("last texel of the group", got[7], {5, 1, 7, 3});
+    expect_equal("first texel beside the group", got[8], {0, 1, 2, 3});
 }
 
 void check_raster(const Target& target) {
-    if (!target.device.capabilities().raster) return;
+    if (!target.device.capabilities().raster) throw Skipped{"Capabilities::raster is false"};
     // The pixel's number counts from the top left, whatever the target's shape.
     for (const Extent extent : {Extent{7, 5, 1}, Extent{1, 9, 1}, Extent{64, 33, 1}}) {
         Harness h(target);
@@ -175,13 +177,40 @@ void check_raster(const Target& target) {
         h.use(image, State::color_attachment);
         const float push[8] = {2, 3, 0, 4, 1, -1, 10, 0};
         h.list().draw_fullscreen({pipeline, set, bytes_of(push), image});
-        CHECK(h.read(image) == wanted);
+        expect_equal("target of " + std::to_string(extent.width) + "x" + std::to_string(extent.height), h.read(image), wanted);
     }
+}
+
+void check_raster_barriers(const Target& target) {
+    if (!target.device.capabilities().raster) throw Skipped{"Capabilities::raster is false"};
+    // Draws read what dispatches have stored, and dispatches what draws have drawn.
+    Harness h(target);
+    const Extent extent{33, 17, 1};
+    const Usage usage = Usage::sampled | Usage::copy_source | Usage::copy_destination;
+    const auto stored = h.texture("stored", Format::rgba32_float, extent, usage | Usage::storage);
+    const auto drawn = h.texture("drawn", Format::rgba32_float, extent, usage | Usage::color_attachment);
+    h.upload(drawn, pack(Format::rgba32_float, std::vector<Texel>(extent.width * extent.height, Texel{0, 1, 2, 3})));
+    const auto step = h.compute(shaders::conformance_increment);
+    const auto draw = h.raster(shaders::conformance_draw, Format::rgba32_float);
+    const auto sampler = h.sampler(Filter::nearest);
+    const auto into_stored = h.bind(step, {{0, drawn, sampler, {}}, {1, stored, {}, {}}});
+    const auto into_drawn = h.bind(draw, {{0, stored, sampler, {}}});
+    const float amount[4] = {1, 0, 1, 0}, nothing[8] = {};
+    for (int i = 0; i < 40; ++i) {
+        h.use(drawn, State::sampled);
+        h.use(stored, State::storage_write);
+        h.dispatch(step, into_stored, {5, 3, 1}, bytes_of(amount));
+        h.use(stored, State::sampled);
+        h.use(drawn, State::color_attachment);
+        h.list().draw_fullscreen({draw, into_drawn, bytes_of(nothing), drawn});
+    }
+    expect_equal("after 40 dispatches and draws, each of which reads what the one before has written", h.read(drawn),
+                 std::vector<Texel>(extent.width * extent.height, Texel{40, 1, 42, 3}));
 }
 
 void check_timestamps(const Target& target) {
     const std::uint32_t slots = target.device.capabilities().timestamp_slots;
-    if (slots < 3) return;
+    if (slots < 3) throw Skipped{"Capabilities::timestamp_slots is below 3"};
     Harness h(target);
     PingPong p(h, {64, 64, 1});
     h.list().timestamp(0);
@@ -192,10 +221,9 @@ void check_timestamps(const Target& target) {
     h.run();
     double times[3] = {};
     target.device.read_timestamps(times);
-    CHECK(times[0] <= times[1]);
-    CHECK(times[1] <= times[2]);
-    CHECK(times[2] - times[0] > 0);
-    CHECK(times[2] - times[0] < 60e9);
+    expect(times[0] <= times[1] && times[1] <= times[2], "timestamps do not fall in the order of recording");
+    expect(times[2] - times[0] > 0, "time passes between the first timestamp and the third");
+    expect(times[2] - times[0] < 60e9, "two dispatches take less than a minute (timestamps are in nanoseconds)");
 }
 
 void check_markers_and_messages(const Target& target) {
@@ -212,11 +240,12 @@ void check_markers_and_messages(const Target& target) {
     h.list().end_marker();
     h.list().end_marker();
     h.run();
-    CHECK(messages == "");  // correct work says nothing
+    expect(messages.empty(), "correct work brings no warnings and no errors; here: " + messages);
 
     // Recording never throws: a wrong command is dropped and reported.
     h.list().dispatch({p.pipeline, p.set[0], {}, {1, 1, 1}});  // push constants are missing
-    CHECK(messages.find("conformance_increment") != std::string::npos);
+    expect(messages.find("conformance_increment") != std::string::npos,
+           "a dispatch without its push constants is reported, naming the pipeline; here: " + messages);
     h.run();
     target.device.set_message_callback(nullptr, nullptr);
 }
@@ -229,11 +258,11 @@ void check_frames(const Target& target) {
     const std::uint64_t first = target.queue.submit();  // an empty list is fine
     (void)target.queue.begin();
     const std::uint64_t second = target.queue.submit();
-    CHECK(second == first + 1);
+    expect_equal("number of the second frame after the first", double(second - first), 1);
     target.queue.wait();
     target.queue.wait();
     p.step(h, 1, 1, {1, 1, 1});
-    CHECK(h.read(p.image[1])[0] == Texel{1, 1, 3, 3});
+    expect_equal("texel written after two empty lists", h.read(p.image[1])[0], {1, 1, 3, 3});
 }
 
 }  // namespace aureole::conformance

@@ -1,12 +1,12 @@
 // What formats store, and what shaders read from them.
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "aureole_rhi_conformance_shaders.h"
+#include "aureole_rhi_tests_shaders.h"
+#include "rhi/checks.h"
 #include "rhi/harness.h"
+#include "rhi/report.h"
 
 namespace aureole::conformance {
 
@@ -73,16 +73,14 @@ bool acceptable(Format format, std::size_t channel, double value, double got, bo
     return got == n.below || got == n.above;
 }
 
+std::string channel_of(Format format, std::size_t channel) { return std::string(to_string(format)) + "." + "rgba"[channel]; }
+
 void compare(Format format, const std::vector<Texel>& wanted, const std::vector<Texel>& got, bool exact) {
-    CAPTURE(std::string(to_string(format)));
-    REQUIRE(wanted.size() == got.size());
+    require(wanted.size() == got.size(), "as many texels come back as were written");
     for (std::size_t i = 0; i < wanted.size(); ++i)
         for (std::size_t c = 0; c < 4; ++c) {
-            CAPTURE(i);
-            CAPTURE(c);
-            CAPTURE(wanted[i][c]);
-            CAPTURE(got[i][c]);
-            CHECK(acceptable(format, c, wanted[i][c], got[i][c], exact));
+            if (acceptable(format, c, wanted[i][c], got[i][c], exact)) continue;
+            fail(channel_of(format, c) + ": " + print(wanted[i][c]) + " is stored as " + print(got[i][c]));
         }
 }
 
@@ -100,7 +98,10 @@ void check_storage_formats(const Target& target) {
     for (const Format format :
          {Format::r8_unorm, Format::rgba8_unorm, Format::r16_float, Format::rg16_float, Format::rgba16_float, Format::r32_float,
           Format::rg32_float, Format::rgba32_float, Format::r11g11b10_float, Format::bgra8_unorm, Format::rgba8_srgb}) {
-        if (!target.device.format_support(format, Dimension::d2).storage) continue;
+        if (!target.device.format_support(format, Dimension::d2).storage) {
+            note(std::string("not tried, since it cannot be stored to: ") + to_string(format));
+            continue;
+        }
         Harness h(target);
         const auto source = h.filled("source", extent, texels);
         const auto image = h.texture("image", format, extent, Usage::storage | Usage::copy_source);
@@ -119,19 +120,25 @@ void check_storage_formats(const Target& target) {
     h.use(image, State::storage_write);
     h.dispatch(pipeline, set, {1, 1, 1});
     const Texel got = h.read(image)[0];
-    CHECK((got[0] == infinity || (!h.exact && got[0] == 65504)));
-    CHECK((got[1] == -infinity || (!h.exact && got[1] == -65504)));
-    CHECK(got[2] == infinity);
-    CHECK(std::isnan(got[3]));
+    const auto in_half = [](const char* value, double stored) {
+        return std::string(value) + " in rgba16_float is stored as " + print(stored);
+    };
+    expect(got[0] == infinity || (!h.exact && got[0] == 65504), in_half("1e6", got[0]));
+    expect(got[1] == -infinity || (!h.exact && got[1] == -65504), in_half("-1e6", got[1]));
+    expect(got[2] == infinity, in_half("infinity", got[2]));
+    expect(std::isnan(got[3]), in_half("NaN", got[3]));
 }
 
 void check_attachment_formats(const Target& target) {
-    if (!target.device.capabilities().raster) return;
+    if (!target.device.capabilities().raster) throw Skipped{"Capabilities::raster is false"};
     const auto texels = as_floats(probing_texels());
     const Extent extent{static_cast<std::uint32_t>(texels.size()), 1, 1};
     for (const Format format : {Format::rgba8_unorm, Format::rgba8_srgb, Format::bgra8_unorm, Format::rgba16_float,
                                 Format::rgba32_float, Format::r11g11b10_float}) {
-        if (!target.device.format_support(format, Dimension::d2).color_attachment) continue;
+        if (!target.device.format_support(format, Dimension::d2).color_attachment) {
+            note(std::string("not tried, since it cannot be drawn to: ") + to_string(format));
+            continue;
+        }
         Harness h(target);
         const auto canvas = h.filled("canvas", extent, texels);
         const auto image = h.texture("image", format, extent, Usage::color_attachment | Usage::copy_source);
@@ -151,8 +158,10 @@ void check_format_reads(const Target& target) {
     for (const Format format :
          {Format::r8_unorm, Format::rgba8_unorm, Format::rgba8_srgb, Format::bgra8_unorm, Format::r16_float, Format::rg16_float,
           Format::rgba16_float, Format::r32_float, Format::rg32_float, Format::r11g11b10_float, Format::d32_float}) {
-        if (!target.device.format_support(format, Dimension::d2).sampled) continue;
-        CAPTURE(std::string(to_string(format)));
+        if (!target.device.format_support(format, Dimension::d2).sampled) {
+            note(std::string("not tried, since it cannot be sampled: ") + to_string(format));
+            continue;
+        }
         Harness h(target);
         const auto source = h.texture("source", format, extent, Usage::sampled | Usage::copy_destination);
         const auto packed = pack(format, texels);
@@ -166,11 +175,10 @@ void check_format_reads(const Target& target) {
         const auto wanted = unpack(format, packed), got = h.read(image);
         for (std::size_t i = 0; i < wanted.size(); ++i)
             for (std::size_t c = 0; c < 4; ++c) {
-                CAPTURE(i);
-                CAPTURE(c);
                 if (format == Format::d32_float && c > 0) continue;  // APIs differ on what stands beside a depth
                 const double tolerance = format == Format::rgba8_srgb && !h.exact ? 0.5 / 255 : 1e-6;
-                CHECK(got[i][c] == doctest::Approx(wanted[i][c]).scale(1).epsilon(tolerance));
+                expect_near(channel_of(format, c) + " as a shader reads it", got[i][c], wanted[i][c],
+                            tolerance * (1 + std::abs(wanted[i][c])));
             }
     }
 }

@@ -3,16 +3,13 @@
 
 #include <aureole/rhi/texel.h>
 
-#include <array>
 #include <cstring>
 #include <string>
 #include <vector>
 
-#include "rhi/conformance.h"
+#include "rhi/report.h"
 
 namespace aureole::conformance {
-
-using Texel = std::array<double, 4>;
 
 class Harness {
 public:

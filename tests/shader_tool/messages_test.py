@@ -26,6 +26,7 @@ CASES = [
     ('resource without a macro', 'layout(set = 0, binding = 1) uniform isampler2D other;\n' + GOOD, {}, 'macros of prelude.glsl'),
     ('word of the base class', 'SAMPLER_2D(1, sampled)\n' + GOOD, {}, 'cannot be called sampled'),
     ('no local size', GOOD.replace('LOCAL_SIZE(8, 8, 1)', ''), {}, 'LOCAL_SIZE'),
+    ('default that is no literal', 'CONST(int, FOUR, 4)\nSPEC_INT(0, N, FOUR)\n' + GOOD, {}, 'the default of N is FOUR; allowed: a literal'),
     ('two push blocks', 'struct P { vec4 a; };\nPUSH_CONSTANTS(P, p)\nPUSH_CONSTANTS(P, q)\n' + GOOD, {}, 'error'),
 ]
 

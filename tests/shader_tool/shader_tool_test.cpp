@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -87,6 +88,20 @@ TEST_CASE("the interface table comes from the source after preprocessing") {
         CHECK(shader.slots[i].dimension == expected[i].dimension);
         CHECK(shader.slots[i].name == expected[i].name);
     }
+}
+
+TEST_CASE("the table of specialization constants has their kinds and defaults") {
+    const auto constants = shaders::trial.constants;
+    REQUIRE(constants.size() == 4);
+    CHECK((constants[0].id == 0 && constants[0].kind == rhi::ConstantKind::integer && constants[0].name == "STEPS"));
+    CHECK(constants[0].default_bits == 4);
+    CHECK((constants[1].id == 1 && constants[1].kind == rhi::ConstantKind::integer && constants[1].name == "BELOW"));
+    CHECK(constants[1].default_bits == 0xfffffffdu);
+    CHECK((constants[2].id == 7 && constants[2].kind == rhi::ConstantKind::real && constants[2].name == "SHARE"));
+    CHECK(constants[2].default_bits == std::bit_cast<std::uint32_t>(-0.375f));
+    CHECK((constants[3].id == 9 && constants[3].kind == rhi::ConstantKind::boolean && constants[3].name == "LIT"));
+    CHECK(constants[3].default_bits == 1);
+    CHECK(shaders::trial_draw.constants.empty());
 }
 
 TEST_CASE("SPIR-V and GLSL are whole") {

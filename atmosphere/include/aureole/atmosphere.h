@@ -109,7 +109,8 @@ public:
     [[nodiscard]] double progress() const noexcept;
 
     [[nodiscard]] rhi::Device& device() const noexcept;
-    // Null of a model that keeps no such table (its page says which it keeps).
+    // Null of a model that keeps no such table (its page says which it keeps). All can be copied from: out of State::sampled
+    // and back into it.
     /// Optical depth to the top: see transmittance.glsl.
     [[nodiscard]] rhi::Texture transmittance_table() const noexcept;
     /// Of `aureole` moments (multi_scatter.glsl; null where QualitySettings::multi_scatter_orders is 0), of `hillaire` its
@@ -227,7 +228,7 @@ public:
     /// last: composite.
     [[nodiscard]] std::span<const PassReport> reports() const noexcept;
 
-    // Tables stay the same textures until the structure of the air changes (set_parameters).
+    // Tables stay the same textures until the structure of the air changes (set_parameters), and can be copied from.
     // Null of a model, or settings of it, that keep no such table: all but `aureole` and the tables of `hillaire`, so far.
     [[nodiscard]] rhi::Texture sky_view_table() const noexcept;            ///< See sky_view.glsl.
     [[nodiscard]] rhi::Texture aerial_perspective_table() const noexcept;  ///< See aerial_perspective.glsl.
@@ -244,6 +245,9 @@ public:
     /// AUREOLE_SPEC_<id> <value>" lines that go before it, and what to bind beside the tables. Valid until the structure of the
     /// air changes (set_parameters).
     [[nodiscard]] std::string shader_defines() const;
+    /// The same as specialization constants (`layout(constant_id = id)`): for a shader that was compiled ahead, without
+    /// AUREOLE_DEFINED_CONSTANTS, when its pipeline is made. All ids are below 64; values the shader does not know do no harm.
+    [[nodiscard]] std::vector<rhi::Specialization> shader_constants() const;
     [[nodiscard]] rhi::Buffer view_block() const noexcept;  ///< Uniform block, State::constants after the first record.
     /// Uniform block, State::constants once there is something to show (Atmosphere::progress). Of the air that is shown.
     [[nodiscard]] rhi::Buffer air_block() const noexcept;

@@ -8,7 +8,9 @@ namespace aureole::vulkan {
 
 class BarrierBatch {
 public:
-    BarrierBatch(const Context& context, VkCommandBuffer commands) : context_(context), commands_(commands) {}
+    /// `graphics`: the queue that `commands` go to draws.
+    BarrierBatch(const Context& context, VkCommandBuffer commands, bool graphics)
+        : context_(context), commands_(commands), graphics_(graphics) {}
     ~BarrierBatch() { flush(); }
     BarrierBatch(const BarrierBatch&) = delete;
     BarrierBatch& operator=(const BarrierBatch&) = delete;
@@ -21,6 +23,7 @@ private:
     static constexpr std::uint32_t capacity = 16;
     const Context& context_;
     VkCommandBuffer commands_;
+    bool graphics_;
     VkPipelineStageFlags before_ = 0, after_ = 0;
     std::uint32_t image_count_ = 0, buffer_count_ = 0;
     VkImageMemoryBarrier images_[capacity];

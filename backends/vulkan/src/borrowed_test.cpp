@@ -5,7 +5,7 @@
 #include <cstring>
 #include <functional>
 
-#include "aureole_rhi_conformance_shaders.h"
+#include "aureole_rhi_tests_shaders.h"
 #include "test_function_names.h"
 #include "test_host.h"
 #include "test_loader.h"

@@ -42,7 +42,7 @@ BufferObject::BufferObject(Context& context, const rhi::BufferDesc& desc) : cont
         info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
         info.size = desc_.size;
         info.usage = buffer_usage(desc_.usage);
-        info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+        context_.share(info);
         check_result(context_.fn.vkCreateBuffer(context_.device, &info, nullptr, &buffer_), "vkCreateBuffer", what);
         VkMemoryRequirements need = {};
         context_.fn.vkGetBufferMemoryRequirements(context_.device, buffer_, &need);

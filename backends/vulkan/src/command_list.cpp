@@ -27,8 +27,10 @@ std::string too_high(const char* field, std::uint32_t value, std::uint32_t limit
 
 CommandList::CommandList(Device& device) : device_(device), context_(device.context()), fn_(device.context().fn) {}
 
-void CommandList::begin(VkCommandBuffer commands) noexcept {
+void CommandList::begin(VkCommandBuffer commands, std::uint32_t queue_family) noexcept {
     commands_ = commands;
+    graphics_ = context_.physical.has_graphics(queue_family);
+    timestamps_ = context_.physical.queue_families[queue_family].timestampValidBits > 0;
     open_markers_ = 0;
     device_.objects().for_each_texture([](TextureObject& texture) { texture.start_recording(); });
 }
@@ -36,7 +38,7 @@ void CommandList::begin(VkCommandBuffer commands) noexcept {
 void CommandList::end() noexcept {
     if (!commands_) return;
     {
-        BarrierBatch batch(context_, commands_);
+        BarrierBatch batch(context_, commands_, graphics_);
         // Also those that were destroyed meanwhile: the host's image lives on.
         device_.objects().for_each_texture([&](TextureObject& texture) {
             if (texture.is_lent() && texture.last_state != texture.lent_state())
@@ -64,7 +66,7 @@ void CommandList::update_constants(rhi::Buffer buffer, std::span<const std::byte
 
 void CommandList::barrier(std::span<const rhi::TextureBarrier> textures, std::span<const rhi::BufferBarrier> buffers) {
     if (!allowed("barrier")) return;
-    BarrierBatch batch(context_, commands_);
+    BarrierBatch batch(context_, commands_, graphics_);
     for (const rhi::TextureBarrier& entry : textures) {
         TextureObject* texture = device_.objects().textures.find(entry.texture);
         if (texture)
@@ -110,6 +112,7 @@ void CommandList::draw_fullscreen(const rhi::DrawDesc& desc) {
     const rhi::TextureDesc* target_desc = target ? &target->desc() : nullptr;
     if (!allowed("draw_fullscreen", rhi::complaint(desc, facts_of(pipeline).get(), facts_of(bindings).get(), target_desc)))
         return;
+    if (!allowed("draw_fullscreen", graphics_ ? "" : "draw_fullscreen: the queue of this recording has no graphics")) return;
     bind(VK_PIPELINE_BIND_POINT_GRAPHICS, *pipeline, bindings, desc.push_constants);
     const rhi::Extent& extent = target->desc().extent;
     const VkRect2D area = {{0, 0}, {extent.width, extent.height}};
@@ -144,6 +147,7 @@ void CommandList::end_marker() {
 
 void CommandList::timestamp(std::uint32_t index) {
     const std::uint32_t slots = device_.timestamps().slots();
+    if (!allowed("timestamp", timestamps_ ? "" : "timestamp: the queue of this recording has none")) return;
     if (!allowed("timestamp", index < slots ? "" : too_high("timestamp: index", index, slots))) return;
     device_.timestamps().record(commands_, index);
 }

@@ -12,7 +12,7 @@ public:
     explicit CommandList(Device& device);
 
     /// Between begin and end the list records into `commands`, outside of a render pass.
-    void begin(VkCommandBuffer commands) noexcept;
+    void begin(VkCommandBuffer commands, std::uint32_t queue_family) noexcept;
     /// Returns lent textures to their state and closes open markers.
     void end() noexcept;
     [[nodiscard]] bool is_recording() const noexcept { return commands_ != VK_NULL_HANDLE; }
@@ -39,6 +39,7 @@ private:
     const Context& context_;
     const DeviceFunctions& fn_;
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
+    bool graphics_ = false, timestamps_ = false;  ///< Of the queue that the recording goes to.
     std::uint32_t open_markers_ = 0;
 };
 

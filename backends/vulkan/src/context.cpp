@@ -20,6 +20,7 @@ Context::Context(const ContextDesc& desc)
       physical(desc.physical),
       device(desc.device),
       queue_family(desc.queue_family),
+      families{desc.queue_family, desc.second_queue_family},
       graphics(desc.physical.has_graphics(desc.queue_family)),
       debug_utils(desc.debug_utils),
       memory(fn, desc.device, memory_properties(desc), desc.physical.properties.limits.maxMemoryAllocationCount,

@@ -6,6 +6,7 @@
 #include "messages.h"
 #include "physical_device.h"
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -17,6 +18,7 @@ struct ContextDesc {
     PhysicalDevice physical;
     VkDevice device = VK_NULL_HANDLE;
     std::uint32_t queue_family = 0;
+    std::uint32_t second_queue_family = VK_QUEUE_FAMILY_IGNORED;  ///< Shares all objects; ignored: there is none.
     Ownership ownership = Ownership::own;
     bool debug_utils = false;
     VkPipelineCache pipeline_cache = VK_NULL_HANDLE;  ///< The host's; null makes one.
@@ -39,14 +41,23 @@ public:
         set_name(type, reinterpret_cast<std::uint64_t>(handle), name);
     }
 
+    /// For VkImageCreateInfo and VkBufferCreateInfo: which queue families use the object.
+    template <class Info>
+    void share(Info& info) const noexcept {
+        info.sharingMode = families[1] == VK_QUEUE_FAMILY_IGNORED ? VK_SHARING_MODE_EXCLUSIVE : VK_SHARING_MODE_CONCURRENT;
+        info.queueFamilyIndexCount = info.sharingMode == VK_SHARING_MODE_CONCURRENT ? 2 : 0;
+        info.pQueueFamilyIndices = families.data();
+    }
+
     const InstanceFunctions instance_functions;
     const DeviceFunctions fn;
     const VkInstance instance;
     const PhysicalDevice physical;
     const VkDevice device;
     const std::uint32_t queue_family;
-    const bool graphics;     ///< The queue draws.
-    const bool debug_utils;  ///< Names and markers work.
+    const std::array<std::uint32_t, 2> families;  ///< `queue_family`, and the second one or VK_QUEUE_FAMILY_IGNORED.
+    const bool graphics;                          ///< The queue draws.
+    const bool debug_utils;                       ///< Names and markers work.
     Memory memory;
     VkPipelineCache pipeline_cache;
 

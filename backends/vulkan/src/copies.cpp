@@ -17,7 +17,7 @@ void CommandList::copy(const rhi::CopyDesc& desc) {
 
 /// Between buffers and depth textures, only graphics queues copy.
 bool CommandList::queue_copies(const TextureObject& texture) const noexcept {
-    if (!texture.is_depth() || context_.graphics) return true;
+    if (!texture.is_depth() || graphics_) return true;
     device_.sink().misuse("copy: " + rhi::field_name("texture", texture.desc().name, "") +
                           " is a depth texture and the queue has no graphics");
     return false;

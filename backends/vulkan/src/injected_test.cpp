@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "aureole_rhi_conformance_shaders.h"
+#include "aureole_rhi_tests_shaders.h"
 #include "result.h"
 #include "rhi/harness.h"
 #include "test_loader.h"

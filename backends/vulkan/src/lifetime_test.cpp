@@ -1,7 +1,7 @@
 // How long things live: objects until their last frame is done, memory and descriptors as long as somebody needs them.
 #include <doctest/doctest.h>
 
-#include "aureole_rhi_conformance_shaders.h"
+#include "aureole_rhi_tests_shaders.h"
 #include "test_loader.h"
 #include "test_support.h"
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <numeric>
 
-#include "aureole_rhi_conformance_shaders.h"
+#include "aureole_rhi_tests_shaders.h"
 #include "test_program.h"
 
 using namespace aureole;

@@ -44,7 +44,7 @@ rhi::CommandList& Queue::begin() {
     info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
     info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     check_result(context_.fn.vkBeginCommandBuffer(commands_, &info), "vkBeginCommandBuffer", "queue");
-    list_.begin(commands_);
+    list_.begin(commands_, context_.queue_family);
     return list_;
 }
 

@@ -3,7 +3,7 @@
 
 #include <new>
 
-#include "aureole_rhi_conformance_shaders.h"
+#include "aureole_rhi_tests_shaders.h"
 #include "rhi/harness.h"
 #include "test_allocations.h"
 #include "test_host.h"

@@ -72,7 +72,7 @@ void TextureObject::create_image() {
     info.samples = VK_SAMPLE_COUNT_1_BIT;
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = usage;
-    info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+    context_.share(info);
     info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
     check_result(context_.fn.vkCreateImage(context_.device, &info, nullptr, &image_), "vkCreateImage", what);
 

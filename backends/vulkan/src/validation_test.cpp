@@ -1,7 +1,7 @@
 // The validation layer really watches: mistakes made on purpose are found. Without this, its silence elsewhere means nothing.
 #include <doctest/doctest.h>
 
-#include "aureole_rhi_conformance_shaders.h"
+#include "aureole_rhi_tests_shaders.h"
 #include "rhi/harness.h"
 #include "test_support.h"
 

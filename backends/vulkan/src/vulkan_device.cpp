@@ -128,6 +128,14 @@ void check_host(const BorrowedVulkan& host) {
         throw Error(ErrorCode::unsupported, "api_version", version_text(host.api_version), "1.1 or later");
 }
 
+void check_family(const PhysicalDevice& physical, const char* field, std::uint32_t family) {
+    const std::size_t families = physical.queue_families.size();
+    if (family >= families)
+        throw Error(ErrorCode::invalid_argument, field, std::to_string(family), "0 to " + std::to_string(families - 1));
+    if (!(physical.queue_families[family].queueFlags & VK_QUEUE_COMPUTE_BIT))
+        throw Error(ErrorCode::unsupported, field, std::to_string(family), "a family with compute");
+}
+
 ContextDesc context_of(const BorrowedVulkan& host) {
     check_host(host);
     ContextDesc context;
@@ -137,18 +145,16 @@ ContextDesc context_of(const BorrowedVulkan& host) {
     context.physical = describe(context.functions, host.physical_device);
     context.device = host.device;
     context.queue_family = host.queue_family;
+    if (host.second_queue_family != host.queue_family) context.second_queue_family = host.second_queue_family;
     context.ownership = Ownership::borrowed;
     context.debug_utils = host.debug_utils;
     context.pipeline_cache = host.pipeline_cache;
 
     if (const std::string problem = problem_of(context.physical, host.enabled_features); !problem.empty())
         throw Error(ErrorCode::unsupported, "the host's device " + problem);
-    const std::size_t families = context.physical.queue_families.size();
-    if (host.queue_family >= families)
-        throw Error(ErrorCode::invalid_argument, "queue_family", std::to_string(host.queue_family),
-                    "0 to " + std::to_string(families - 1));
-    if (!(context.physical.queue_families[host.queue_family].queueFlags & VK_QUEUE_COMPUTE_BIT))
-        throw Error(ErrorCode::unsupported, "queue_family", std::to_string(host.queue_family), "a family with compute");
+    check_family(context.physical, "queue_family", host.queue_family);
+    if (context.second_queue_family != VK_QUEUE_FAMILY_IGNORED)
+        check_family(context.physical, "second_queue_family", host.second_queue_family);
     return context;
 }
 
@@ -157,10 +163,15 @@ public:
     explicit GuestDevice(const BorrowedVulkan& host) : device_(context_of(host), sink_), list_(device_) {}
 
     [[nodiscard]] rhi::Device& device() override { return device_; }
-    [[nodiscard]] rhi::CommandList& begin_recording(VkCommandBuffer commands) override {
+    [[nodiscard]] rhi::CommandList& begin_recording(VkCommandBuffer commands, std::uint32_t queue_family) override {
         if (!commands) throw Error(ErrorCode::invalid_argument, "commands", "null", "a command buffer in the recording state");
+        const auto& families = device_.context().families;
+        if (queue_family == VK_QUEUE_FAMILY_IGNORED) queue_family = families[0];
+        if (queue_family != families[0] && queue_family != families[1])
+            throw Error(ErrorCode::invalid_argument, "queue_family", std::to_string(queue_family),
+                        "BorrowedVulkan's queue_family or second_queue_family");
         if (list_.is_recording()) sink_.misuse("begin_recording: the recording before was not ended and is forgotten");
-        list_.begin(commands);
+        list_.begin(commands, queue_family);
         return list_;
     }
     void end_recording() noexcept override { list_.end(); }

@@ -11,6 +11,9 @@ UNIFORMS(1, Params, params)
 IMAGE_2D(SLOT_TARGET, target)
 PUSH_CONSTANTS(Params, push)
 SPEC_INT(0, STEPS, 4)
+SPEC_BOOL(9, LIT, true)  // these three change nothing
+SPEC_REAL(7, SHARE, real(-0.375))
+SPEC_INT(1, BELOW, -3)
 
 #ifdef AUREOLE_NEVER_DEFINED
 SAMPLER_2D(0, absent)
@@ -29,5 +32,6 @@ COMPUTE_MAIN(id) {
     vec4 unlit = SAMPLE(volume, vec3(uv, real(0.5))) + SAMPLE(sky, vec3(real(0), real(0), real(1)));
     vec4 sum = vec4(real(0));
     for (int i = 0; i < STEPS; ++i) { sum += SAMPLE(source, uv) * exp(-(lo + hi)) + push.scale + real(0) * unlit; }
+    if (!LIT) sum += vec4(SHARE * real(BELOW));
     imageStore(target, ivec2(id), sum);
 }

@@ -27,6 +27,16 @@ struct Specialization {
     std::uint32_t bits = 0;
 };
 
+enum class ConstantKind : std::uint8_t { boolean, integer, real };
+
+/// A specialization constant that a shader declares: `layout(constant_id = id)`.
+struct ConstantDesc {
+    std::uint32_t id = 0;
+    ConstantKind kind = ConstantKind::integer;  ///< What the bits of a Specialization stand for: bool, int32 or float.
+    std::uint32_t default_bits = 0;             ///< Of pipelines made without a value for it.
+    std::string_view name{};                    ///< As in the GLSL source.
+};
+
 /// A texture or uniform block as the CPU kernels see it. Texels are RGBA in the arithmetic type of the kernel (float or
 /// double), row by row, slice by slice, already decoded; a cube has depth 6.
 struct CpuBinding {
@@ -94,8 +104,9 @@ struct Shader {
     std::uint32_t push_constant_bytes = 0;  ///< At most 128.
     std::span<const SlotDesc> slots{};
     std::span<const std::uint32_t> spirv{};  ///< Vulkan 1.1 / SPIR-V 1.3, entry "main", validated at build time.
-    std::string_view glsl{};                 ///< One self-contained source, `#version 450`; defines are listed in the prelude.
+    std::string_view glsl{};                 ///< One self-contained source, `#version 450`. For OpenGL: opengl_text.h.
     CpuEntry cpu;
+    std::span<const ConstantDesc> constants{};  ///< Every specialization constant of the source, by rising id.
 };
 
 }  // namespace aureole::rhi

@@ -113,6 +113,11 @@ struct BorrowedVulkan {
     std::uint32_t api_version = 0;
     /// Family of the queue that the host submits to: with VK_QUEUE_COMPUTE_BIT; VK_QUEUE_GRAPHICS_BIT too for raster passes.
     std::uint32_t queue_family = 0;
+    /// Another family, with VK_QUEUE_COMPUTE_BIT, whose queues get recordings too, or use what Aureole makes: asynchronous
+    /// compute. Images and buffers are then made for both (VK_SHARING_MODE_CONCURRENT), so that nothing has to change hands;
+    /// images that the host lends to recordings on both are to be so as well. Queues of one family need no such thing.
+    /// VK_QUEUE_FAMILY_IGNORED or `queue_family`: there is none.
+    std::uint32_t second_queue_family = VK_QUEUE_FAMILY_IGNORED;
     /// As enabled in VkDeviceCreateInfo: shaderStorageImageWriteWithoutFormat must be among them.
     VkPhysicalDeviceFeatures enabled_features = {};
     /// VK_EXT_debug_utils is enabled in `instance`: objects get names, passes get markers.
@@ -130,11 +135,16 @@ public:
     [[nodiscard]] virtual rhi::Device& device() = 0;
 
     /// Starts one recording into a command buffer of the host, which is in the recording state, outside of a render pass,
-    /// primary, and goes to a queue of `queue_family`. Valid until `end_recording`; a recording that was
+    /// primary, and goes to a queue of `queue_family`: BorrowedVulkan's, where that is VK_QUEUE_FAMILY_IGNORED, or its second
+    /// one. Valid until `end_recording`; a recording that was
     /// not ended is forgotten as it is, and reported. Recording allocates nothing. Pipelines, descriptor sets, push constants,
-    /// viewport and scissor that the host had bound are undefined afterwards. Command buffers are submitted in the order in
-    /// which they were recorded. Error(invalid_argument) for a null command buffer.
-    [[nodiscard]] virtual rhi::CommandList& begin_recording(VkCommandBuffer commands) = 0;
+    /// viewport and scissor that the host had bound are undefined afterwards. Command buffers run in the order in which they
+    /// were recorded: on one queue as they are submitted, on several by semaphores of the host's from each to the next that
+    /// uses the same tables, in both directions. On a family without graphics there are no raster passes and no copies of
+    /// depth, on one without timestamps none of those: both are reported and left out. Error(invalid_argument) for a null
+    /// command buffer or another family.
+    [[nodiscard]] virtual rhi::CommandList& begin_recording(VkCommandBuffer commands,
+                                                            std::uint32_t queue_family = VK_QUEUE_FAMILY_IGNORED) = 0;
     /// Ends the recording: textures lent with rhi::Device::wrap_texture that are not in the state they were lent in are
     /// returned to it, those destroyed since begin_recording included; open debug markers are closed. The command buffer stays
     /// in the recording state. Never throws.

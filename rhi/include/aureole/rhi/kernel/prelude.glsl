@@ -16,8 +16,9 @@
 //   - COUNT(n); where a kernel evaluates the medium n times: counted on the CPU when asked for, nothing in GLSL.
 //   - Include guards as in C. A function is declared before it is used.
 //
-// For a host that compiles the GLSL itself for OpenGL: define AUREOLE_OPENGL, AUREOLE_PUSH_BINDING (uniform-block binding that
-// stands for push constants) and AUREOLE_SPEC_<id> for every specialization constant. For a host's own Vulkan shader that
+// For a host that compiles the GLSL itself for OpenGL, opengl_text.h writes the lines that go before it: AUREOLE_OPENGL,
+// AUREOLE_PUSH_BINDING (uniform-block binding that stands for push constants), AUREOLE_SPEC_<id> for every specialization constant
+// and AUREOLE_IMAGE_UNIT_<slot> for every storage image (contexts need not have more than 8 image units; slots reach to 31). For a host's own Vulkan shader that
 // includes look-ups: AUREOLE_SET chooses the descriptor set, AUREOLE_DEFINED_CONSTANTS takes the constants from AUREOLE_SPEC_<id>
 // so that the host's constant ids stay its own.
 #ifndef AUREOLE_PRELUDE_GLSL
@@ -39,6 +40,7 @@
 #ifdef AUREOLE_OPENGL
 #define AUREOLE_DEFINED_CONSTANTS
 #define AUREOLE_LAYOUT(slot) layout(binding = slot)
+#define AUREOLE_IMAGE_LAYOUT(slot) layout(binding = AUREOLE_IMAGE_UNIT_##slot)
 #define AUREOLE_BLOCK_LAYOUT(slot) layout(binding = slot, std140)
 #define PUSH_CONSTANTS(Block, name) layout(binding = AUREOLE_PUSH_BINDING, std140) uniform Block##_push { Block name; };
 #else
@@ -46,6 +48,7 @@
 #define AUREOLE_SET 0
 #endif
 #define AUREOLE_LAYOUT(slot) layout(set = AUREOLE_SET, binding = slot)
+#define AUREOLE_IMAGE_LAYOUT(slot) AUREOLE_LAYOUT(slot)
 #define AUREOLE_BLOCK_LAYOUT(slot) layout(set = AUREOLE_SET, binding = slot, std140)
 #define PUSH_CONSTANTS(Block, name) layout(push_constant, std430) uniform Block##_push { Block name; };
 #endif
@@ -63,9 +66,9 @@
 #define SAMPLER_2D(slot, name) AUREOLE_LAYOUT(slot) uniform sampler2D name;
 #define SAMPLER_3D(slot, name) AUREOLE_LAYOUT(slot) uniform sampler3D name;
 #define SAMPLER_CUBE(slot, name) AUREOLE_LAYOUT(slot) uniform samplerCube name;
-#define IMAGE_2D(slot, name) AUREOLE_LAYOUT(slot) uniform writeonly image2D name;
-#define IMAGE_3D(slot, name) AUREOLE_LAYOUT(slot) uniform writeonly image3D name;
-#define IMAGE_CUBE(slot, name) AUREOLE_LAYOUT(slot) uniform writeonly image2DArray name;
+#define IMAGE_2D(slot, name) AUREOLE_IMAGE_LAYOUT(slot) uniform writeonly image2D name;
+#define IMAGE_3D(slot, name) AUREOLE_IMAGE_LAYOUT(slot) uniform writeonly image3D name;
+#define IMAGE_CUBE(slot, name) AUREOLE_IMAGE_LAYOUT(slot) uniform writeonly image2DArray name;
 #define UNIFORMS(slot, Block, name) AUREOLE_BLOCK_LAYOUT(slot) uniform name##_uniforms { Block name; };
 #define SAMPLE(tex, uv) textureLod(tex, uv, 0.0)
 

@@ -1,0 +1,60 @@
+#include "viewer/panels/panels.h"
+
+namespace aureole::viewer {
+namespace {
+
+void edit_number(Session& session, const Field& field) {
+    double value = field.number(session.state);
+    ImGuiSliderFlags flags = ImGuiSliderFlags_NoRoundToFormat;
+    if (field.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
+    // By powers of ten nothing begins at 0; that can be typed.
+    const double least = field.logarithmic && field.least == 0 ? field.most * 1e-9 : field.least;
+    // ImGui takes for zero what the format would not show of a fixed point number.
+    const char* format = field.logarithmic && least < 1e-4 ? "%.9g" : "%.5g";
+    if (ImGui::SliderScalar(field.label.c_str(), ImGuiDataType_Double, &value, &least, &field.most, format, flags))
+        attempt(session, [&] { set_number(session.state, field, value); });
+}
+
+void edit_flag(Session& session, const Field& field) {
+    bool on = field.text(session.state) == "true";
+    if (ImGui::Checkbox(field.label.c_str(), &on))
+        attempt(session, [&] { set_text(session.state, field, on ? "true" : "false"); });
+}
+
+void edit_choice(Session& session, const Field& field) {
+    const std::string now = field.text(session.state);
+    const bool open = ImGui::BeginCombo(field.label.c_str(), now.c_str());
+    session.marks.last(field.name);
+    if (!open) return;
+    for (const std::string& option : field.options) {
+        if (ImGui::Selectable(option.c_str(), option == now)) attempt(session, [&] { set_text(session.state, field, option); });
+        session.marks.last(field.name + "=" + option);
+    }
+    ImGui::EndCombo();
+}
+
+}  // namespace
+
+bool edit_group(Session& session, const std::vector<Field>& fields, const std::string& group) {
+    bool any = false;
+    ImGui::PushID(group.c_str());
+    ImGui::PushItemWidth(180);
+    for (const Field& field : fields) {
+        if (field.group != group) continue;
+        any = true;
+        ImGui::PushID(field.name.c_str());
+        if (field.is_number())
+            edit_number(session, field);
+        else if (field.is_flag())
+            edit_flag(session, field);
+        else if (!field.options.empty())
+            edit_choice(session, field);
+        if (field.is_number() || field.is_flag()) session.marks.last(field.name);
+        ImGui::PopID();
+    }
+    ImGui::PopItemWidth();
+    ImGui::PopID();
+    return any;
+}
+
+}  // namespace aureole::viewer

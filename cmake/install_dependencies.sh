@@ -4,7 +4,8 @@
 #   cmake/install_dependencies.sh [--no-install] [--tests] [--format] [--docs]
 #
 #   --no-install  only check: exit 1 and name what is missing
-#   --tests       also what ./test.sh needs (Vulkan validation layer, a browser, OGRE, the viewer's packages, a display in memory)
+#   --tests       also what ./test.sh needs (Vulkan validation layer, a browser, OGRE, the viewer's packages, a display in memory, what
+#                 reads packages and manual pages)
 #   --format      also what the checks of format and habits need (clang-format 14, clang-tidy 14)
 #   --docs        also what the documentation's site is made with (mkdocs, doxygen, KaTeX)
 set -euo pipefail
@@ -30,6 +31,7 @@ for argument in "$@"; do
         --no-install) install=no ;;
         --tests)
             packages+=(vulkan-validationlayers chromium)
+            packages+=(dpkg-dev pkg-config man-db)                           # what reads packages and manual pages
             packages+=(libglfw3-dev xvfb xauth)                              # samples with windows
             packages+=(libimgui-dev)                                         # samples/viewer
             packages+=(libepoxy-dev libogre-1.12-dev libegl1 libgl1-mesa-dri) # samples/ogre

@@ -47,4 +47,5 @@ AUREOLE_SITE_STAGE=$stage AUREOLE_SITE_OUT=$out PYTHONPATH=docs/site PYTHONDONTW
     --config-file docs/site/mkdocs.yml
 rm -f "$out/404.html"  # for servers: its links begin at the root of one
 python3 -B docs/site/check.py "$out"
+node docs/site/equations.cjs "$katex/katex.min.js" "$out"
 echo "$out/index.html, in $((SECONDS - started)) s"

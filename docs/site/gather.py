@@ -79,13 +79,15 @@ class Site:
             return match.group(0)[:start - match.start()] + self.link(page, shown_at, match.group(1)) + match.group(0)[stop - match.start():]
         text = re.sub(r'(\[!\[[^\]]*\]\()([^()\s]+)(\)\]\()', lambda m: m.group(1) + self.link(page, shown_at, m.group(2)) + m.group(3), text)
         text = LINK.sub(replaced, text)
-        lines = []
+        lines, opening = [], ''  # the first line of the paragraph
         for line in text.split('\n'):
             before = lines[-1] if lines else ''
-            begins_list = LIST.match(line) and before.strip() and not LIST.match(before) and not before.startswith((' ', '|'))
+            opening = line if not before.strip() else opening
+            begins_list = LIST.match(line) and before.strip() and not LIST.match(opening) and not before.startswith('|')
             begins_table = line.startswith('|') and before.strip() and not before.startswith('|')
             if begins_list or begins_table:
                 lines.append('')
+                opening = line
             lines.append(line)
         return '\n'.join(lines)
 

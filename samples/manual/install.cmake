@@ -8,12 +8,20 @@ if(BUILD_SHARED_LIBS)
 endif()
 set(made "${CMAKE_CURRENT_BINARY_DIR}/manual")
 file(MAKE_DIRECTORY "${made}")
+find_program(AUREOLE_GZIP gzip)
+mark_as_advanced(AUREOLE_GZIP)
 set(printed)
+
+# aureole_printed(<file> <folder of share/> <arguments of the program>...)
 function(aureole_printed file folder)
     add_custom_command(
         OUTPUT "${made}/${file}"
         COMMAND aureole_app ${ARGN} > "${made}/${file}"
         DEPENDS aureole_app COMMENT "aureole ${ARGN}" VERBATIM)
+    if(folder MATCHES "^man/" AND AUREOLE_GZIP)  # as Debian wants it, and as man reads it anywhere
+        add_custom_command(OUTPUT "${made}/${file}.gz" COMMAND "${AUREOLE_GZIP}" -9nkf "${made}/${file}" DEPENDS "${made}/${file}" VERBATIM)
+        string(APPEND file .gz)
+    endif()
     install(FILES "${made}/${file}" DESTINATION "${CMAKE_INSTALL_DATADIR}/${folder}" COMPONENT program)
     set(printed ${printed} "${made}/${file}" PARENT_SCOPE)
 endfunction()

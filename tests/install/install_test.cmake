@@ -25,7 +25,11 @@ foreach(page LICENSE README.md docs/integration.md atmosphere/composite/composit
     endif()
 endforeach()
 if(EXISTS "${WORK_DIR}/born/bin/aureole")
-    foreach(file man/man1/aureole.1 bash-completion/completions/aureole zsh/vendor-completions/_aureole
+    file(GLOB page "${WORK_DIR}/born/share/man/man1/aureole.1*")
+    if(NOT page)
+        message(FATAL_ERROR "the manual page is not installed")
+    endif()
+    foreach(file bash-completion/completions/aureole zsh/vendor-completions/_aureole
                  fish/vendor_completions.d/aureole.fish aureole/scenes/noon.toml)
         if(NOT EXISTS "${WORK_DIR}/born/share/${file}")
             message(FATAL_ERROR "share/${file} is not installed")

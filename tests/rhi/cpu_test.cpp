@@ -72,6 +72,7 @@ TEST_CASE("the validation device behaves as the device inside, and has nothing t
     };
     const Lender lender;
     for (const conformance::Check& check : conformance::checks()) {
+        if (check.subject == conformance::Subject::passes) continue;  // tests/passes has them under this device
         listen();
         const conformance::Result result = check.run({*device, *queue, true, lender});
         CAPTURE(result.text());

@@ -159,7 +159,7 @@ TEST_CASE("each fault of a device fails the check that is about it, and no check
     CHECK(failed_with(Fault::everything_throws, {"texel round trips", "frames"}) == Names{"texel round trips", "frames"});
 }
 
-TEST_CASE("tables that are wrong by more than the tolerance fail the passes") {
+TEST_CASE("tables that are wrong by more than the tolerance fail the passes" * doctest::test_suite("long")) {
     using Names = std::vector<std::string>;
     // Nearest in place of linear look-ups: where a pass reads a table at its nodes alone, nothing changes.
     CHECK(failed_with(Fault::sampler_nearest, {"pass: transmittance", "pass: multi-scatter", "pass: sky-view", "pass: light",

@@ -41,7 +41,7 @@ AUREOLE_API const char* aureole_last_error_field(void);
 AUREOLE_API const char* aureole_last_error_value(void);
 AUREOLE_API const char* aureole_last_error_allowed(void);
 
-/* "0.1.0": of the library that is linked. Static. */
+/* "1.0.0": of the library that is linked. Static. */
 AUREOLE_API const char* aureole_version(void);
 
 /* How much a message matters. */

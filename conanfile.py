@@ -17,7 +17,7 @@ class AureoleRecipe(ConanFile):
     options = {'shared': [True, False], 'vulkan': [True, False], 'app': [True, False]}
     default_options = {'shared': False, 'vulkan': True, 'app': False}
     exports_sources = ('CMakeLists.txt', 'LICENSE', 'README.md', 'CHANGELOG.md', 'cmake/*', 'rhi/*', 'atmosphere/*', 'backends/*',
-                       'samples/*', 'docs/*')
+                       'samples/*', 'docs/*', 'tests/rhi/*')
 
     def set_version(self):
         self.version = re.search(r'project\(aureole VERSION ([\d.]+)', load(self, 'CMakeLists.txt')).group(1)

@@ -10,6 +10,7 @@
 
 namespace aureole::rhi {
 
+/// What opengl_text makes its text for.
 struct OpenGlTextOptions {
     std::uint32_t version = 430;  ///< Of `#version`: 430 or more, and no more than the context's.
     /// Of the uniform block that stands for push constants. 32 or more (slots end at 31), below GL_MAX_UNIFORM_BUFFER_BINDINGS.

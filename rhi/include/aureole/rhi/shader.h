@@ -27,7 +27,7 @@ struct Specialization {
     std::uint32_t bits = 0;
 };
 
-enum class ConstantKind : std::uint8_t { boolean, integer, real };
+enum class ConstantKind : std::uint8_t { boolean, integer, real };  ///< What a specialization constant is.
 
 /// A specialization constant that a shader declares: `layout(constant_id = id)`.
 struct ConstantDesc {

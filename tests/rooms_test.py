@@ -23,6 +23,8 @@ ABOVE = {'atmosphere/c_api': ('the atmosphere names a graphics API or a window',
 RULES = [
     ('rhi', r'\bVk[A-Z]\w*|volk|vulkan/', True, 'the interface names a graphics API'),
     ('rhi', r'#\s*include\s*[<"]aureole/(?!rhi/)', True, 'the interface includes what stands above it'),
+    # Not even in comments: `gl_FragCoord` and the like are words of GLSL, which every form of a kernel is made from.
+    ('rhi', r'\bGL_[A-Z]|(?i:open_?gl|gles\b|vulkan|direct3d|\bd3d|\bmetal\b|webgpu)', True, 'the interface names a graphics API'),
     ('rhi', r'#\s*include\s*[<"](GL|EGL|GLFW|epoxy|Ogre)', True, 'the interface names a graphics API'),
     ('atmosphere', r'#\s*include\s*[<"](GL|EGL|GLFW|epoxy|Ogre)', True, 'the atmosphere names a graphics API or an engine'),
     ('samples/ogre/gl', r'#\s*include\s*[<"](?!epoxy/|doctest/|aureole/rhi/|aureole/rhi_tests/|passes/)[^>"]*/', True,
@@ -73,12 +75,12 @@ OFFENDERS = [
     ('rhi/a.h', 'VkImage image;'), ('rhi/b.h', '#include <aureole/atmosphere.h>'), ('atmosphere/c_api/b.cpp', '#include <fstream>'), ('atmosphere/a.cpp', '#include <volk.h>'),
     ('atmosphere/b.cpp', '#include <fstream>'), ('atmosphere/c.cpp', '#include <aureole/cpu/cpu_device.h>'),
     ('backends/cpu/a.cpp', 'float ozone;'), ('backends/cpu/b.cpp', '#include <aureole/atmosphere.h>'),
-    ('rhi/d.h', '#include <epoxy/gl.h>'), ('atmosphere/d.cpp', '#include <GL/gl.h>'),
+    ('rhi/d.h', '#include <epoxy/gl.h>'), ('rhi/e.h', '// As OpenGL has it.'), ('rhi/f_test.cpp', 'bool vulkan;'), ('atmosphere/d.cpp', '#include <GL/gl.h>'),
     ('samples/ogre/gl/a.cpp', '#include <aureole/atmosphere.h>'), ('samples/ogre/gl/b.cpp', '#include "app/frame.h"'),
     ('samples/viewer/core/a_test.cpp', '#include <imgui.h>'), ('result.csv', '1'), ('tests/b_test.cpp', 'CHECK(a == doctest::Approx(1e-3).epsilon(0.01));'), ('samples/a.cpp', '// ' + LATER.split('|')[0]), ('samples/long.cpp', '\n' * (MAX_LINES + 1)),
     ('tests/long_test.py', '\n' * (MAX_LINES + 1)),
 ]
-LAWFUL = [('rhi/c.h', '#include <aureole/rhi/types.h>'), ('backends/cpu/c_test.cpp', 'float ozone;'),
+LAWFUL = [('rhi/c.h', '#include <aureole/rhi/types.h>'), ('rhi/g.glsl', 'gl_FragCoord.xy'), ('backends/cpu/c_test.cpp', 'float ozone;'),
           ('samples/b.cpp', '#include <fstream>'), ('atmosphere/c_api/a.cpp', '#include <aureole/cpu/cpu_device.h>'),
           ('samples/ogre/gl/c.cpp', '#include <epoxy/gl.h>\n#include "formats.h"')]
 

@@ -11,7 +11,7 @@ float shade(vec3 p) { return clamp(0.5 + 10.0 * (abs(fract(p.x / 20000.0) - 0.5)
 
 std::string header(const HostShader& shader) {
     std::string text = "#version 450\n#extension GL_GOOGLE_include_directive : require\n";
-    text += shader.opengl ? "#define AUREOLE_OPENGL\n" : "#define AUREOLE_SET " + std::to_string(shader.set) + "\n";
+    text += shader.opengl ? "#define AUREOLE_PLAIN_GLSL\n" : "#define AUREOLE_SET " + std::to_string(shader.set) + "\n";
     text += "#define AUREOLE_DEFINED_CONSTANTS\n" + shader.defines;
     if (shader.first_slot != 0) {
         int slot = shader.first_slot;

@@ -3,7 +3,7 @@
 #include "formats.h"
 #include "host_state.h"
 
-#include <aureole/rhi/opengl_text.h>
+#include <aureole/rhi/plain_glsl.h>
 
 #include <algorithm>
 #include <limits>
@@ -112,7 +112,7 @@ BindingsObject::Slot Device::fill(const rhi::Shader& shader, const rhi::SlotDesc
     const auto here = [&](const rhi::Binding& b) { return b.slot == slot.slot; };
     const rhi::Binding& binding = *std::find_if(bindings.begin(), bindings.end(), here);
     const bool image = slot.kind == rhi::SlotKind::storage_texture;
-    return {&slot, image ? rhi::opengl_image_unit(shader, slot.slot) : slot.slot, textures_.share(binding.texture),
+    return {&slot, image ? rhi::plain_glsl_image_unit(shader, slot.slot) : slot.slot, textures_.share(binding.texture),
             samplers_.share(binding.sampler), buffers_.share(binding.buffer)};
 }
 

@@ -3,7 +3,7 @@
 #include "formats.h"
 #include "host_state.h"
 
-#include <aureole/rhi/opengl_text.h>
+#include <aureole/rhi/plain_glsl.h>
 
 #include <cstdio>
 
@@ -221,7 +221,7 @@ void link(GLuint program, const std::string& pipeline) {
 PipelineObject::PipelineObject(const std::string& n, const rhi::Shader& s, std::span<const rhi::Specialization> specialization,
                                rhi::Format format)
     : name(n), shader(&s), target_format(format), program(glCreateProgram()) {
-    const std::string text = rhi::opengl_text(s, specialization, {.version = 430, .push_binding = push_binding});
+    const std::string text = rhi::plain_glsl(s, specialization, {.version = 430, .push_binding = push_binding});
     const bool compute = s.stage == rhi::Stage::compute;
     try {
         attach(program, compute ? GL_COMPUTE_SHADER : GL_FRAGMENT_SHADER, text, name);

@@ -19,7 +19,7 @@ namespace aureole::rhi {
 
 /// Names and limits of a device.
 struct Capabilities {
-    std::string backend{};      ///< "vulkan", "cpu", or the host's own name.
+    std::string backend{};      ///< "cpu", or the name of what it stands on, in small letters.
     std::string device{};       ///< Name of the device, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
     std::string driver{};       ///< Driver and version.
     std::uint32_t threads = 0;  ///< Worker threads of a CPU backend; 0 elsewhere.

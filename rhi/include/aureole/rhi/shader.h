@@ -103,8 +103,8 @@ struct Shader {
     std::uint32_t local_size[3] = {1, 1, 1};
     std::uint32_t push_constant_bytes = 0;  ///< At most 128.
     std::span<const SlotDesc> slots{};
-    std::span<const std::uint32_t> spirv{};  ///< Vulkan 1.1 / SPIR-V 1.3, entry "main", validated at build time.
-    std::string_view glsl{};                 ///< One self-contained source, `#version 450`. For OpenGL: opengl_text.h.
+    std::span<const std::uint32_t> spirv{};  ///< SPIR-V 1.3, entry "main", validated at build time.
+    std::string_view glsl{};                 ///< One self-contained source, `#version 450`. Without sets: plain_glsl.h.
     CpuEntry cpu;
     std::span<const ConstantDesc> constants{};  ///< Every specialization constant of the source, by rising id.
 };

@@ -118,8 +118,8 @@ struct SamplerDesc {
 /// A host's own texture, lent to Aureole. The host keeps ownership.
 struct ExternalTexture {
     TextureDesc desc{};
-    std::uint64_t native = 0;       ///< The device's own object: a Vulkan image, an OpenGL texture's name; unused on the CPU.
-    std::uint64_t native_view = 0;  ///< Optional, the Vulkan image view; 0 lets the backend make one.
+    std::uint64_t native = 0;       ///< The device's own object, in bits: its page says which. Unused on the CPU.
+    std::uint64_t native_view = 0;  ///< Optional, its view where a device has such; 0 lets the backend make one.
     void* cpu_texels = nullptr;     ///< CPU backend: the host's texels, tightly packed in `desc.format`.
     /// State the texture is in when recording starts, and is left in when it ends. A state with a usage of its own needs it in
     /// `desc.usage`; `undefined` and `general` need none. `depth_read` is for depth formats, `constants` is no texture's.

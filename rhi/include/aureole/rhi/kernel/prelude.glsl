@@ -16,11 +16,11 @@
 //   - COUNT(n); where a kernel evaluates the medium n times: counted on the CPU when asked for, nothing in GLSL.
 //   - Include guards as in C. A function is declared before it is used.
 //
-// For a host that compiles the GLSL itself for OpenGL, opengl_text.h writes the lines that go before it: AUREOLE_OPENGL,
-// AUREOLE_PUSH_BINDING (uniform-block binding that stands for push constants), AUREOLE_SPEC_<id> for every specialization constant
-// and AUREOLE_IMAGE_UNIT_<slot> for every storage image (contexts need not have more than 8 image units; slots reach to 31). For a host's own Vulkan shader that
-// includes look-ups: AUREOLE_SET chooses the descriptor set, AUREOLE_DEFINED_CONSTANTS takes the constants from AUREOLE_SPEC_<id>
-// so that the host's constant ids stay its own.
+// For a host that compiles the GLSL itself, without descriptor sets, plain_glsl.h writes the lines that go before it:
+// AUREOLE_PLAIN_GLSL, AUREOLE_PUSH_BINDING (uniform-block binding that stands for push constants), AUREOLE_SPEC_<id> for every
+// specialization constant and AUREOLE_IMAGE_UNIT_<slot> for every storage image (devices need not have more than 8 image units;
+// slots reach to 31). For a host's own shader with descriptor sets that includes look-ups: AUREOLE_SET chooses the set,
+// AUREOLE_DEFINED_CONSTANTS takes the constants from AUREOLE_SPEC_<id> so that the host's constant ids stay its own.
 #ifndef AUREOLE_PRELUDE_GLSL
 #define AUREOLE_PRELUDE_GLSL
 
@@ -37,7 +37,7 @@
 #define UNROLL
 #endif
 
-#ifdef AUREOLE_OPENGL
+#ifdef AUREOLE_PLAIN_GLSL
 #define AUREOLE_DEFINED_CONSTANTS
 #define AUREOLE_LAYOUT(slot) layout(binding = slot)
 #define AUREOLE_IMAGE_LAYOUT(slot) layout(binding = AUREOLE_IMAGE_UNIT_##slot)

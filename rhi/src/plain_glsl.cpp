@@ -1,5 +1,5 @@
 #include <aureole/rhi/error.h>
-#include <aureole/rhi/opengl_text.h>
+#include <aureole/rhi/plain_glsl.h>
 
 #include <algorithm>
 #include <bit>
@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t first_version = 430;  // the first with compute shaders
 constexpr std::uint32_t first_free_binding = 32;
 
-void check(const OpenGlTextOptions& options) {
+void check(const PlainGlslOptions& options) {
     if (options.version < first_version)
         throw Error(ErrorCode::invalid_argument, "version", std::to_string(options.version),
                     "at least " + std::to_string(first_version) + ", which has compute shaders");
@@ -35,22 +35,21 @@ std::string line(const std::string& name, const std::string& value) { return "#d
 
 }  // namespace
 
-std::uint32_t opengl_image_unit(const Shader& shader, std::uint32_t slot) noexcept {
+std::uint32_t plain_glsl_image_unit(const Shader& shader, std::uint32_t slot) noexcept {
     const auto before = [&](const SlotDesc& s) { return s.kind == SlotKind::storage_texture && s.slot < slot; };
     return static_cast<std::uint32_t>(std::count_if(shader.slots.begin(), shader.slots.end(), before));
 }
 
-std::string opengl_text(const Shader& shader, std::span<const Specialization> specialization,
-                        const OpenGlTextOptions& options) {
+std::string plain_glsl(const Shader& shader, std::span<const Specialization> specialization, const PlainGlslOptions& options) {
     check(options);
-    std::string text = "#version " + std::to_string(options.version) + "\n#define AUREOLE_OPENGL\n";
+    std::string text = "#version " + std::to_string(options.version) + "\n#define AUREOLE_PLAIN_GLSL\n";
     text += line("PUSH_BINDING", std::to_string(options.push_binding));
     for (const ConstantDesc& constant : shader.constants)
         text += line("SPEC_" + std::to_string(constant.id), value_of(constant.kind, bits_of(constant, specialization)));
     for (const SlotDesc& slot : shader.slots)
         if (slot.kind == SlotKind::storage_texture)
-            text += line("IMAGE_UNIT_" + std::to_string(slot.slot), std::to_string(opengl_image_unit(shader, slot.slot)));
-    const std::size_t first_line = shader.glsl.find('\n');  // the version, of Vulkan's GLSL
+            text += line("IMAGE_UNIT_" + std::to_string(slot.slot), std::to_string(plain_glsl_image_unit(shader, slot.slot)));
+    const std::size_t first_line = shader.glsl.find('\n');  // the version, of GLSL with sets and constants
     return text.append(shader.glsl.substr(std::min(first_line, shader.glsl.size())));
 }
 

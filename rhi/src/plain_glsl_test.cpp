@@ -1,5 +1,5 @@
 #include <aureole/rhi/error.h>
-#include <aureole/rhi/opengl_text.h>
+#include <aureole/rhi/plain_glsl.h>
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -26,19 +26,19 @@ bool holds(const std::string& text, const char* line) {
 
 }  // namespace
 
-TEST_CASE("the text for OpenGL has its own version, and a value for every constant") {
-    const std::string plain = opengl_text(shader, {});
+TEST_CASE("plain GLSL has its own version, and a value for every constant") {
+    const std::string plain = plain_glsl(shader, {});
     CHECK(plain.starts_with("#version 430\n"));
     CHECK(plain.ends_with("\nthe rest\n"));
     CHECK(plain.find("450") == std::string::npos);
-    CHECK(holds(plain, "#define AUREOLE_OPENGL"));
+    CHECK(holds(plain, "#define AUREOLE_PLAIN_GLSL"));
     CHECK(holds(plain, "#define AUREOLE_PUSH_BINDING 32"));
     CHECK(holds(plain, "#define AUREOLE_SPEC_0 int(4294967293u)"));
     CHECK(holds(plain, "#define AUREOLE_SPEC_4 true"));
     CHECK(holds(plain, "#define AUREOLE_SPEC_5 uintBitsToFloat(1056964608u)"));
 
     const Specialization values[] = {{5, std::bit_cast<std::uint32_t>(-1.0f)}, {4, 0}, {77, 3}};
-    const std::string special = opengl_text(shader, values, {.version = 460, .push_binding = 40});
+    const std::string special = plain_glsl(shader, values, {.version = 460, .push_binding = 40});
     CHECK(special.starts_with("#version 460\n"));
     CHECK(holds(special, "#define AUREOLE_PUSH_BINDING 40"));
     CHECK(holds(special, "#define AUREOLE_SPEC_0 int(4294967293u)"));
@@ -48,17 +48,17 @@ TEST_CASE("the text for OpenGL has its own version, and a value for every consta
 }
 
 TEST_CASE("images are numbered without gaps") {
-    CHECK(opengl_image_unit(shader, 3) == 0);
-    CHECK(opengl_image_unit(shader, 9) == 1);
-    const std::string text = opengl_text(shader, {});
+    CHECK(plain_glsl_image_unit(shader, 3) == 0);
+    CHECK(plain_glsl_image_unit(shader, 9) == 1);
+    const std::string text = plain_glsl(shader, {});
     CHECK(holds(text, "#define AUREOLE_IMAGE_UNIT_3 0"));
     CHECK(holds(text, "#define AUREOLE_IMAGE_UNIT_9 1"));
     CHECK(text.find("IMAGE_UNIT_0") == std::string::npos);
 }
 
 TEST_CASE("a version without compute shaders and a binding that slots may have are refused") {
-    CHECK_THROWS_WITH_AS((void)opengl_text(shader, {}, {.version = 420}),
+    CHECK_THROWS_WITH_AS((void)plain_glsl(shader, {}, {.version = 420}),
                          "version: 420 is not allowed; allowed: at least 430, which has compute shaders", Error);
-    CHECK_THROWS_WITH_AS((void)opengl_text(shader, {}, {.push_binding = 31}),
+    CHECK_THROWS_WITH_AS((void)plain_glsl(shader, {}, {.push_binding = 31}),
                          "push_binding: 31 is not allowed; allowed: at least 32, beyond all slots", Error);
 }

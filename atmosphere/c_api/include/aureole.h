@@ -33,6 +33,7 @@
 #include <aureole/c/device.h>
 #include <aureole/c/parameters.h>
 #include <aureole/c/plan.h>
+#include <aureole/c/planned_sky.h>
 #include <aureole/c/view.h>
 
 #endif

@@ -79,7 +79,7 @@ aureole_result aureole_envelope_of_air(const aureole_parameters* parameters, aur
 }
 
 aureole_result aureole_setting_defaults(aureole_setting* setting) {
-    return guarded([&] { write(setting, "setting", {sizeof(aureole_setting), 0, nullptr, nullptr, nullptr, nullptr}); });
+    return guarded([&] { write(setting, "setting", default_setting()); });
 }
 
 aureole_result aureole_create_atmosphere(aureole_device* device, const aureole_parameters* parameters,
@@ -87,7 +87,8 @@ aureole_result aureole_create_atmosphere(aureole_device* device, const aureole_p
     return guarded([&] {
         aureole_device& on = given(device, "device");
         const Setting chosen = read_setting(setting);
-        const Prepared ready = prepared(chosen, read_parameters(parameters, "parameters"));
+        Prepared ready = prepared(chosen, read_parameters(parameters, "parameters"));
+        if (ModelPtr by_numbers = read_model(setting, chosen)) ready.model = std::move(by_numbers);
         aureole_atmosphere*& out = given(out_atmosphere, "out_atmosphere");
         out = new aureole_atmosphere(on, chosen, ready.air, ready.model);
     });

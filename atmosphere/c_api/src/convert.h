@@ -5,6 +5,7 @@
 #include <aureole/atmosphere.h>
 #include <aureole/envelope.h>
 #include <aureole/plan.h>
+#include <aureole/planned_sky.h>
 #include <aureole/setting.h>
 
 #include <memory>
@@ -43,7 +44,10 @@ void write_outside(std::vector<OutsideEnvelope> outside, aureole_outside* out, s
                    std::uint32_t* out_count);
 
 // Atmosphere.
+[[nodiscard]] aureole_setting default_setting();
 [[nodiscard]] Setting read_setting(const aureole_setting* setting);
+/// The model that has the setting's numbers; null where it has none.
+[[nodiscard]] ModelPtr read_model(const aureole_setting* setting, const Setting& chosen);
 /// `first` -1: none.
 [[nodiscard]] TimestampSlots timestamps(std::int32_t first);
 void write_reports(std::span<const PassReport> reports, aureole_pass_report* out, std::uint32_t capacity,
@@ -62,10 +66,13 @@ void write_reports(std::span<const PassReport> reports, aureole_pass_report* out
 [[nodiscard]] ShadowMap to_cpp(const aureole_shadow_map& map);
 [[nodiscard]] aureole_composite_targets to_c(const CompositeTargets& targets);
 [[nodiscard]] CompositeTargets to_cpp(const aureole_composite_targets& targets);
+[[nodiscard]] CompositeTargets read_targets(const aureole_composite_targets* targets);
 
 // Plan.
 [[nodiscard]] aureole_requirements to_c(const PlanRequirements& needs);
 [[nodiscard]] PlanRequirements to_cpp(const aureole_requirements& requirements);
+[[nodiscard]] aureole_follow_settings to_c(const FollowSettings& follow);
+[[nodiscard]] FollowSettings to_cpp(const aureole_follow_settings& follow);
 
 [[nodiscard]] Rgb rgb(const double from[3]);
 void copy(const Rgb& from, double to[3]);

@@ -184,6 +184,10 @@ CompositeTargets to_cpp(const aureole_composite_targets& c) {
     return targets;
 }
 
+CompositeTargets read_targets(const aureole_composite_targets* targets) {
+    return to_cpp(read(targets, "targets", to_c(CompositeTargets{})));
+}
+
 aureole_requirements to_c(const PlanRequirements& needs) {
     aureole_requirements c{};
     c.struct_size = sizeof c;
@@ -229,11 +233,12 @@ PlanRequirements to_cpp(const aureole_requirements& c) {
     return needs;
 }
 
+aureole_setting default_setting() { return {sizeof(aureole_setting), 0, nullptr, nullptr, nullptr, nullptr, nullptr, 0}; }
+
 Setting read_setting(const aureole_setting* setting) {
-    static const aureole_setting defaults{sizeof(aureole_setting), 0, nullptr, nullptr, nullptr, nullptr};
     Setting chosen;
     if (!setting) return chosen;
-    const aureole_setting c = read(setting, "setting", defaults);
+    const aureole_setting c = read(setting, "setting", default_setting());
     if (c.model) chosen.model = c.model;
     if (c.quality) chosen.quality = c.quality;
     if (c.spectral) chosen.spectral = c.spectral;

@@ -19,6 +19,11 @@ void aureole_device::tell(void* device, rhi::Severity severity, const char* text
     if (listener.callback) listener.callback(listener.user, number(severity), text);
 }
 
+rhi::CommandList& aureole_device::begin_on(void* host_list, std::uint32_t queue_family) {
+    if (queue_family == no_queue_family) return begin(host_list);
+    throw Error(ErrorCode::invalid_argument, "queue_family", std::to_string(queue_family),
+                "UINT32_MAX: only a host's Vulkan device knows families");
+}
 void aureole_device::wait() {
     throw Error(ErrorCode::unsupported, "a host's device has no queue of Aureole's: the host waits, and calls aureole_collect");
 }
@@ -87,7 +92,7 @@ aureole_result aureole_destroy_device(aureole_device* device) {
         if (!device) return;
         if (device->atmospheres > 0)
             throw Error(ErrorCode::misuse, "the device has " + std::to_string(device->atmospheres) +
-                                               " atmospheres that live: they are destroyed before it");
+                                               " atmospheres or planned skies that live: they are destroyed before it");
         delete device;
     });
 }
@@ -185,11 +190,16 @@ aureole_result aureole_get_native_buffer(const aureole_device* device, aureole_b
 }
 
 aureole_result aureole_begin(aureole_device* device, void* host_list, aureole_commands** out_commands) {
+    return aureole_begin_on(device, host_list, no_queue_family, out_commands);
+}
+
+aureole_result aureole_begin_on(aureole_device* device, void* host_list, uint32_t queue_family,
+                                aureole_commands** out_commands) {
     return guarded([&] {
         aureole_device& on = given(device, "device");
         given(out_commands, "out_commands");
         if (on.commands.list) throw Error(ErrorCode::misuse, "a list of this device is open: aureole_end comes first");
-        on.commands.list = &on.begin(host_list);
+        on.commands.list = &on.begin_on(host_list, queue_family);
         *out_commands = &on.commands;
     });
 }

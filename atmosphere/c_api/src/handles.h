@@ -4,12 +4,19 @@
 #include <aureole/atmosphere.h>
 #include <aureole/c/device.h>
 #include <aureole/c/plan.h>
+#include <aureole/c/planned_sky.h>
 #include <aureole/plan.h>
+#include <aureole/planned_sky.h>
 #include <aureole/setting.h>
 
 #include <memory>
 #include <string>
 #include <vector>
+
+namespace aureole::c_api {
+/// VK_QUEUE_FAMILY_IGNORED, by its number.
+inline constexpr std::uint32_t no_queue_family = ~std::uint32_t{0};
+}  // namespace aureole::c_api
 
 /// The list that is open on a device; null while none is.
 struct aureole_commands {
@@ -26,6 +33,8 @@ struct aureole_device {
     [[nodiscard]] virtual aureole::rhi::Device& rhi_device() = 0;
     [[nodiscard]] const aureole::rhi::Device& rhi_device() const { return const_cast<aureole_device*>(this)->rhi_device(); }
     [[nodiscard]] virtual aureole::rhi::CommandList& begin(void* host_list) = 0;
+    /// Throws Error(invalid_argument) but of a host's Vulkan device.
+    [[nodiscard]] virtual aureole::rhi::CommandList& begin_on(void* host_list, std::uint32_t queue_family);
     /// The frame's number; 0 of a host's list.
     virtual std::uint64_t end() = 0;
     /// Throws Error(unsupported) of a device whose work the host waits for.
@@ -38,7 +47,7 @@ struct aureole_device {
     void listen(aureole_message_callback callback, void* user);
 
     aureole_commands commands;
-    int atmospheres = 0;  ///< That live on it.
+    int atmospheres = 0;  ///< That live on it, planned skies among them.
 
 protected:
     struct Listener {
@@ -75,6 +84,18 @@ struct aureole_view {
 struct aureole_plan {
     aureole::Plan plan;
     std::string setting, text;
+};
+
+struct aureole_planned_sky {
+    aureole_planned_sky(aureole_device& on, const aureole::PlanRequirements& needs, const aureole::CompositeSettings& composite,
+                        const aureole::FollowSettings& follow);
+    ~aureole_planned_sky();
+    aureole_planned_sky(const aureole_planned_sky&) = delete;
+    aureole_planned_sky& operator=(const aureole_planned_sky&) = delete;
+
+    aureole_device& device;
+    aureole::PlannedSky sky;
+    std::vector<aureole::PlanChange> changes;  ///< Of the latest update.
 };
 
 namespace aureole::c_api {

@@ -16,10 +16,6 @@ namespace {
 
 LightTable light_table(const float* texels, std::uint32_t count) { return LightTable({&given(texels, "texels"), count}); }
 
-CompositeTargets read_targets(const aureole_composite_targets* targets) {
-    return to_cpp(read(targets, "targets", to_c(CompositeTargets{})));
-}
-
 /// An index that does not fit an int is out of range all the same.
 int index_of(std::uint32_t index) { return index > 1000 ? 1000 : static_cast<int>(index); }
 

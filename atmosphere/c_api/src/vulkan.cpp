@@ -13,7 +13,7 @@ namespace {
 
 const aureole_vulkan_device_desc default_own{sizeof(aureole_vulkan_device_desc), -1, nullptr, 0, nullptr, nullptr};
 const aureole_borrowed_vulkan default_borrowed{
-    sizeof(aureole_borrowed_vulkan), 0, nullptr, nullptr, nullptr, nullptr, 0, 0, nullptr, 0};
+    sizeof(aureole_borrowed_vulkan), 0, nullptr, nullptr, nullptr, nullptr, 0, 0, nullptr, 0, no_queue_family};
 
 #ifdef AUREOLE_C_HAS_VULKAN
 
@@ -64,6 +64,7 @@ vulkan::BorrowedVulkan to_cpp(const aureole_borrowed_vulkan& c) {
     host.get_instance_proc_addr = reinterpret_cast<PFN_vkGetInstanceProcAddr>(c.get_instance_proc_addr);
     host.api_version = c.api_version;
     host.queue_family = c.queue_family;
+    host.second_queue_family = c.second_queue_family;
     if (c.enabled_features) host.enabled_features = *static_cast<const VkPhysicalDeviceFeatures*>(c.enabled_features);
     host.debug_utils = boolean(c.debug_utils, "host.debug_utils");
     host.pipeline_cache = (VkPipelineCache)c.pipeline_cache;  // NOLINT: a pointer or a number, by platform
@@ -75,6 +76,10 @@ struct GuestOnVulkan final : aureole_device {
     [[nodiscard]] rhi::Device& rhi_device() override { return made->device(); }
     [[nodiscard]] rhi::CommandList& begin(void* host_list) override {
         return made->begin_recording(static_cast<VkCommandBuffer>(host_list));
+    }
+    [[nodiscard]] rhi::CommandList& begin_on(void* host_list, std::uint32_t queue_family) override {
+        static_assert(no_queue_family == VK_QUEUE_FAMILY_IGNORED);
+        return made->begin_recording(static_cast<VkCommandBuffer>(host_list), queue_family);
     }
     std::uint64_t end() override {
         made->end_recording();

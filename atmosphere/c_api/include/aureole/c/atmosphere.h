@@ -11,6 +11,14 @@ extern "C" {
 
 typedef struct aureole_atmosphere aureole_atmosphere;
 
+/* One number of a model's settings, by the name of its field in C++ ("sky_view.width", "orders", "dome.height"). Booleans are 0
+ * or 1, enumerators count from 0, formats are those of aureole_format. Fields, meanings and ranges: c_api.md, and
+ * aureole/quality.h and aureole/models/<model>.h. */
+typedef struct aureole_number {
+    const char* name;
+    double value;
+} aureole_number;
+
 /* Which model, how fine, and what is left out (aureole/setting.h). */
 typedef struct aureole_setting {
     uint32_t struct_size;
@@ -18,10 +26,18 @@ typedef struct aureole_setting {
     const char* model;    /* "fog", "single", "single-lut", "hillaire", "aureole", "bruneton", "reference". NULL: "aureole". */
     const char* quality;  /* "low", "default", "high" or "converged". NULL: "default". */
     const char* spectral; /* "rgb", or a number of wavelengths: "4", "15" ... NULL: "rgb". */
-    const char* const* without; /* `without_count` names of terms or simplifications. NULL: nothing is left out. */
+    const char* const* without;    /* `without_count` names of terms or simplifications. NULL: nothing is left out. */
+    const aureole_number* numbers; /* `number_count` of them, in place of what `quality` has; of one name, the last. Then
+                                      `without` names terms alone: numbers say all else. NULL: as `quality` has it. */
+    uint32_t number_count;
 } aureole_setting;
 /* aureole, default, rgb, nothing left out. */
 AUREOLE_API aureole_result aureole_setting_defaults(aureole_setting* setting);
+/* What `setting` makes of number `index` of its model, in [0, out_count): its name, which lives as long as the library, and its
+ * value. `out_count` may be NULL, and so may `out_number`, to learn the count alone. AUREOLE_INVALID_ARGUMENT for a number that
+ * there is not, is no number or is out of its range: as aureole_create_atmosphere has it. */
+AUREOLE_API aureole_result aureole_get_setting_number(const aureole_setting* setting, uint32_t index,
+                                                      aureole_number* out_number, uint32_t* out_count);
 
 /* Makes pipelines and tables; may take a moment. `setting` NULL: as aureole_setting_defaults has it. AUREOLE_UNSUPPORTED names
  * what the device lacks. */

@@ -104,6 +104,9 @@ typedef struct aureole_borrowed_vulkan {
     const void* enabled_features;         /* VkPhysicalDeviceFeatures, as enabled in VkDeviceCreateInfo:
                                              shaderStorageImageWriteWithoutFormat among them. */
     uint64_t pipeline_cache;              /* VkPipelineCache; 0, the default: the guest makes one. */
+    uint32_t second_queue_family;         /* Another family with VK_QUEUE_COMPUTE_BIT, whose queues get recordings too or use
+                                             what Aureole makes (asynchronous compute): images and buffers are made for both.
+                                             UINT32_MAX (VK_QUEUE_FAMILY_IGNORED), the default, or `queue_family`: none. */
 } aureole_borrowed_vulkan;
 AUREOLE_API aureole_result aureole_borrowed_vulkan_defaults(aureole_borrowed_vulkan* host);
 AUREOLE_API aureole_result aureole_borrow_vulkan_device(const aureole_borrowed_vulkan* host, aureole_device** out_device);
@@ -186,6 +189,12 @@ AUREOLE_API aureole_result aureole_get_native_buffer(const aureole_device* devic
  * state, outside of a render pass, for a host's Vulkan device; what the callbacks get as `list` for an adapter. AUREOLE_MISUSE
  * while a list is open. */
 AUREOLE_API aureole_result aureole_begin(aureole_device* device, void* host_list, aureole_commands** out_commands);
+/* The same where `host_list` goes to a queue of this family: of a host's Vulkan device, `queue_family` or `second_queue_family`
+ * of what it lent. On a family without graphics there are no raster passes and no copies of depth, on one without timestamps
+ * none of those: both are told and left out. UINT32_MAX, as aureole_begin has it: `queue_family`; of other devices nothing else
+ * is allowed. The host orders lists on two queues by semaphores: docs/vulkan.md. */
+AUREOLE_API aureole_result aureole_begin_on(aureole_device* device, void* host_list, uint32_t queue_family,
+                                            aureole_commands** out_commands);
 /* Ends the list. Of a device with a queue of its own: submits it; `out_frame` (may be NULL) gets its number, 1, 2, ... Of a
  * host's: the list stays the host's to submit, and `out_frame` gets 0. AUREOLE_MISUSE where none is open. */
 AUREOLE_API aureole_result aureole_end(aureole_device* device, uint64_t* out_frame);

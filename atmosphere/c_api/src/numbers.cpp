@@ -1,0 +1,264 @@
+// Settings of models by number: each field by the name that it has in C++. Ranges are the models' own to check.
+#include <aureole/models/aureole.h>
+#include <aureole/models/bruneton.h>
+#include <aureole/models/fog.h>
+#include <aureole/models/hillaire.h>
+#include <aureole/models/reference.h>
+#include <aureole/models/single.h>
+#include <aureole/models/single_lut.h>
+#include <aureole/models/spectral.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <type_traits>
+#include <variant>
+
+#include "convert.h"
+#include "numbers.h"
+
+namespace aureole::c_api {
+namespace {
+
+using namespace models;
+
+using Field = std::variant<int*, std::uint32_t*, bool*, double*, rhi::Format*, Steps*, Dome::Phase*, BrunetonSampling*,
+                           FogSettings::Mode*, FogSettings::Sky*, ReferenceSettings::Show*, ReferenceSettings::Tracking*>;
+struct Named {
+    const char* name;
+    Field field;
+};
+using Fields = std::vector<Named>;
+
+Fields fields_of(QualitySettings& s) {
+    return {{"transmittance.width", &s.transmittance.width},
+            {"transmittance.height", &s.transmittance.height},
+            {"transmittance_nodes", &s.transmittance_nodes},
+            {"multi_scatter.width", &s.multi_scatter.width},
+            {"multi_scatter.height", &s.multi_scatter.height},
+            {"angular_order", &s.angular_order},
+            {"angular_order_as_needed", &s.angular_order_as_needed},
+            {"multi_scatter_zenith", &s.multi_scatter_zenith},
+            {"multi_scatter_azimuth", &s.multi_scatter_azimuth},
+            {"multi_scatter_nodes", &s.multi_scatter_nodes},
+            {"multi_scatter_later_nodes", &s.multi_scatter_later_nodes},
+            {"multi_scatter_orders", &s.multi_scatter_orders},
+            {"ground_light", &s.ground_light},
+            {"sky_view.width", &s.sky_view.width},
+            {"sky_view.height", &s.sky_view.height},
+            {"sky_view_nodes", &s.sky_view_nodes},
+            {"aerial_perspective.width", &s.aerial_perspective.width},
+            {"aerial_perspective.height", &s.aerial_perspective.height},
+            {"aerial_perspective.depth", &s.aerial_perspective.depth},
+            {"aerial_perspective_nodes", &s.aerial_perspective_nodes},
+            {"table_format", &s.table_format},
+            {"froxel_format", &s.froxel_format}};
+}
+
+Fields fields_of(BrunetonSettings& s) {
+    return {{"transmittance.width", &s.transmittance.width},
+            {"transmittance.height", &s.transmittance.height},
+            {"irradiance.width", &s.irradiance.width},
+            {"irradiance.height", &s.irradiance.height},
+            {"altitude_nodes", &s.altitude_nodes},
+            {"view_nodes", &s.view_nodes},
+            {"sun_nodes", &s.sun_nodes},
+            {"nu_nodes", &s.nu_nodes},
+            {"orders", &s.orders},
+            {"combined", &s.combined},
+            {"format", &s.format},
+            {"sampling", &s.sampling},
+            {"transmittance_nodes", &s.transmittance_nodes},
+            {"ray_nodes", &s.ray_nodes},
+            {"zenith_nodes", &s.zenith_nodes},
+            {"azimuth_nodes", &s.azimuth_nodes},
+            {"lowest_sun_deg", &s.lowest_sun_deg},
+            {"slices_per_frame", &s.slices_per_frame}};
+}
+
+Fields fields_of(HillaireSettings& s) {
+    return {{"transmittance.width", &s.transmittance.width},
+            {"transmittance.height", &s.transmittance.height},
+            {"transmittance_steps", &s.transmittance_steps},
+            {"multi_scatter.width", &s.multi_scatter.width},
+            {"multi_scatter.height", &s.multi_scatter.height},
+            {"multi_scatter_steps", &s.multi_scatter_steps},
+            {"fast_sky", &s.fast_sky},
+            {"sky_view.width", &s.sky_view.width},
+            {"sky_view.height", &s.sky_view.height},
+            {"sky_view_steps", &s.sky_view_steps},
+            {"fast_aerial_perspective", &s.fast_aerial_perspective},
+            {"aerial_perspective.width", &s.aerial_perspective.width},
+            {"aerial_perspective.height", &s.aerial_perspective.height},
+            {"aerial_perspective.depth", &s.aerial_perspective.depth},
+            {"grey_transmittance", &s.grey_transmittance},
+            {"march_steps", &s.march_steps},
+            {"table_format", &s.table_format},
+            {"froxel_format", &s.froxel_format}};
+}
+
+Fields with_dome(Fields fields, Dome& dome) {
+    for (const Named& more : Fields{{"dome.width", &dome.size.width},
+                                    {"dome.height", &dome.size.height},
+                                    {"dome.phase", &dome.phase},
+                                    {"dome.format", &dome.format}})
+        fields.push_back(more);
+    return fields;
+}
+
+Fields fields_of(SingleSettings& s) {
+    return with_dome({{"steps", &s.steps}, {"view_steps", &s.view_steps}, {"light_steps", &s.light_steps}}, s.dome);
+}
+
+Fields fields_of(SingleLutSettings& s) {
+    return with_dome({{"steps", &s.steps},
+                      {"view_steps", &s.view_steps},
+                      {"table.width", &s.table.width},
+                      {"table.height", &s.table.height},
+                      {"table_nodes", &s.table_nodes},
+                      {"table_format", &s.table_format}},
+                     s.dome);
+}
+
+Fields fields_of(FogSettings& s) {
+    return {{"mode", &s.mode},
+            {"sky", &s.sky},
+            {"colour.r", &s.colour.x},
+            {"colour.g", &s.colour.y},
+            {"colour.b", &s.colour.z},
+            {"density_per_m", &s.density_per_m},
+            {"transmittance_nodes", &s.transmittance_nodes}};
+}
+
+Fields fields_of(ReferenceSettings& s) {
+    return {{"show", &s.show},
+            {"tracking", &s.tracking},
+            {"paths_per_frame", &s.paths_per_frame},
+            {"max_paths", &s.max_paths},
+            {"film_width", &s.film_width},
+            {"film_height", &s.film_height},
+            {"max_order", &s.max_order},
+            {"sampled_first_order", &s.sampled_first_order},
+            {"first_order_parts", &s.first_order_parts},
+            {"nodes", &s.nodes},
+            {"roulette_order", &s.roulette_order},
+            {"seed", &s.seed},
+            {"light_paths", &s.light_paths}};
+}
+
+std::string print(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", value);
+    return text;
+}
+
+template <class T>
+void set(T& to, const std::string& name, double value) {
+    if constexpr (std::is_same_v<T, double>) {
+        to = value;
+        return;
+    } else {
+        // Whole numbers of the field's type: the model then says which of them it takes.
+        double least = 0, most = 1;
+        if constexpr (std::is_enum_v<T>)
+            most = std::numeric_limits<std::underlying_type_t<T>>::max();
+        else
+            least = std::numeric_limits<T>::lowest(), most = std::numeric_limits<T>::max();
+        if (!(value >= least && value <= most) || value != std::floor(value))
+            throw Error(ErrorCode::invalid_argument, name, print(value),
+                        "whole numbers in [" + print(least) + ", " + print(most) + "]");
+        if constexpr (std::is_enum_v<T>)
+            to = static_cast<T>(static_cast<std::underlying_type_t<T>>(value));
+        else
+            to = static_cast<T>(value);
+    }
+}
+
+template <class Settings>
+void set_numbers(Settings& settings, const Setting& chosen, std::span<const aureole_number> numbers) {
+    const Fields fields = fields_of(settings);
+    std::string prefix = chosen.model + ".";
+    std::ranges::replace(prefix, '-', '_');  // as the models name themselves in errors
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const std::string where = "setting.numbers[" + std::to_string(i) + "].name";
+        const std::string_view name = &given(numbers[i].name, where);
+        const auto found = std::ranges::find_if(fields, [&](const Named& f) { return f.name == name; });
+        if (found == fields.end()) {
+            std::string known;
+            for (const Named& f : fields) known.append(known.empty() ? "" : ", ").append(f.name);
+            throw Error(ErrorCode::invalid_argument, where, "\"" + std::string(name) + "\"",
+                        "a number of the model " + chosen.model + ": " + known);
+        }
+        std::visit([&](auto* field) { set(*field, prefix + found->name, numbers[i].value); }, found->field);
+    }
+}
+
+template <class Settings>
+Numbers numbers_of(Settings settings, const Setting& chosen, std::span<const aureole_number> given_ones,
+                   ModelPtr (*make)(const Settings&)) {
+    set_numbers(settings, chosen, given_ones);
+    Numbers numbers;
+    numbers.model = make(settings);  // refuses what is out of range
+    for (const Named& f : fields_of(settings))
+        numbers.values.push_back({f.name, std::visit([](auto* field) { return static_cast<double>(*field); }, f.field)});
+    return numbers;
+}
+
+}  // namespace
+
+Numbers make_by_numbers(const Setting& s, std::span<const aureole_number> n) {
+    if (s.model == "fog") return numbers_of(FogSettings::by_name(s.quality), s, n, &fog);
+    if (s.model == "single") return numbers_of(SingleSettings::by_name(s.quality), s, n, &single);
+    if (s.model == "single-lut") return numbers_of(SingleLutSettings::by_name(s.quality), s, n, &single_lut);
+    if (s.model == "hillaire") return numbers_of(HillaireSettings::by_name(s.quality), s, n, &hillaire);
+    if (s.model == "bruneton") return numbers_of(BrunetonSettings::by_name(s.quality), s, n, &bruneton);
+    if (s.model == "reference") return numbers_of(ReferenceSettings::by_name(s.quality), s, n, &reference);
+    if (s.model == "aureole") return numbers_of(QualitySettings::by_name(s.quality), s, n, &models::aureole);
+    (void)model_by_name(s.model, s.quality);  // throws, with the names there are
+    throw Error(ErrorCode::internal, "the model " + s.model + " has no numbers here");
+}
+
+}  // namespace aureole::c_api
+
+using namespace aureole;
+using namespace aureole::c_api;
+
+namespace {
+
+std::span<const aureole_number> numbers_in(const aureole_setting* setting) {
+    if (!setting) return {};
+    const aureole_setting c = read(setting, "setting", default_setting());
+    if (c.number_count == 0) return {};
+    return {&given(c.numbers, "setting.numbers"), c.number_count};
+}
+
+void refuse_simplifications(const Setting& chosen) {
+    for (const std::string& what : chosen.without)
+        if (std::ranges::find(simplification_names(), what) != simplification_names().end())
+            throw Error(ErrorCode::invalid_argument, "setting.without", "\"" + what + "\" beside numbers",
+                        "terms of the air: numbers say all else");
+}
+
+}  // namespace
+
+ModelPtr c_api::read_model(const aureole_setting* setting, const Setting& chosen) {
+    const auto numbers = numbers_in(setting);
+    if (numbers.empty()) return {};
+    refuse_simplifications(chosen);
+    const ModelPtr model = make_by_numbers(chosen, numbers).model;
+    return chosen.in_rgb() ? model : models::spectral(model, {.wavelengths = models::wavelengths_by_name(chosen.spectral)});
+}
+
+aureole_result aureole_get_setting_number(const aureole_setting* setting, uint32_t index, aureole_number* out_number,
+                                          uint32_t* out_count) {
+    return guarded([&] {
+        const Numbers numbers = make_by_numbers(read_setting(setting), numbers_in(setting));
+        const std::size_t count = numbers.values.size();
+        if (!out_count) given(out_number, "out_number");
+        if (out_number && index >= count)
+            throw Error(ErrorCode::invalid_argument, "index", std::to_string(index), "less than " + std::to_string(count));
+        if (out_number) *out_number = numbers.values[index];
+        if (out_count) *out_count = static_cast<std::uint32_t>(count);
+    });
+}

@@ -1,5 +1,5 @@
-# cpack -G DEB, in a build folder: packages for Debian. `aureole` is the program, `libaureole-dev` what others build with; with
-# BUILD_SHARED_LIBS there is `libaureole1`, too.
+# cpack -G DEB, in a build folder: packages for Debian. `aureole` is the program, `aureole-viewer` the one with a window, where it
+# was built, `libaureole-dev` what others build with; with BUILD_SHARED_LIBS there is `libaureole1`, too.
 set(AUREOLE_PACKAGE_CONTACT "Aureole <aureole@localhost.localdomain>" CACHE STRING "Who answers for packages that cpack makes")
 mark_as_advanced(AUREOLE_PACKAGE_CONTACT)
 find_program(AUREOLE_GZIP gzip)
@@ -57,12 +57,8 @@ function(aureole_debian_package component package)
     set(CPACK_DEBIAN_${name}_PACKAGE_DEPENDS "${arg_DEPENDS}" PARENT_SCOPE)
     set(CPACK_DEBIAN_${name}_PACKAGE_RECOMMENDS "${arg_RECOMMENDS}" PARENT_SCOPE)
     set(CPACK_DEBIAN_${name}_PACKAGE_SUGGESTS "${arg_SUGGESTS}" PARENT_SCOPE)
-    # The program's libraries are told by dpkg-shlibdeps.
-    set(shlibdeps OFF)
-    if(NOT component STREQUAL "development")
-        set(shlibdeps ON)
-    endif()
-    set(CPACK_DEBIAN_${name}_PACKAGE_SHLIBDEPS ${shlibdeps} PARENT_SCOPE)
+    # Needed libraries are told by dpkg-shlibdeps: of programs, and of the C library, which stands among the archives.
+    set(CPACK_DEBIAN_${name}_PACKAGE_SHLIBDEPS ON PARENT_SCOPE)
 endfunction()
 
 set(same "(= ${PROJECT_VERSION}-1)")
@@ -83,5 +79,10 @@ if(AUREOLE_BUILD_SAMPLES)
     aureole_debian_package(
         program aureole SECTION graphics SUMMARY "real-time planetary atmospheres on the command line" DEPENDS "${program_needs}"
         RECOMMENDS "libvulkan1" SUGGESTS "python-matplotlib-data, libaureole-dev")
+endif()
+if(TARGET aureole_viewer)
+    string(REGEX REPLACE ", $" "" viewer_needs "${runtime_needed}")
+    aureole_debian_package(viewer aureole-viewer SECTION graphics SUMMARY "real-time planetary atmospheres in a window"
+                           DEPENDS "${viewer_needs}" SUGGESTS "aureole")
 endif()
 include(CPack)

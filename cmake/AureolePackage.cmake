@@ -54,6 +54,11 @@ if(TARGET aureole_backend_vulkan)
         "aureole = ${PROJECT_VERSION}")
 endif()
 
+if(TARGET aureole_c)
+    # A C compiler needs nothing else: what the library is made with it brings along.
+    aureole_pkg_config(aureole-c DESCRIPTION "Aureole's C API" LIBRARIES c)
+endif()
+
 if(PROJECT_IS_TOP_LEVEL)
     include(AureoleDebian)
 endif()

@@ -32,6 +32,9 @@ function(aureole_export_symbols target)
         set(map "${PROJECT_SOURCE_DIR}/cmake/aureole.map")
         target_link_options(${target} PRIVATE "LINKER:--version-script=${map}")
         set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS "${map}")
+        if(NOT AUREOLE_SANITIZE) # whose functions are the program's
+            target_link_options(${target} PRIVATE "LINKER:--no-undefined")
+        endif()
         # They find each other beside themselves, wherever that is.
         set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN")
     endif()

@@ -1,6 +1,7 @@
 /* A host in C with a Vulkan device of its own, which it lends. */
 #include "c_api/borrowed.h"
 
+#include <string.h>
 #include <vulkan/vulkan.h>
 
 #include "c_api/check.h"
@@ -13,9 +14,26 @@ struct host {
     VkQueue queue;
     VkCommandPool pool;
     VkCommandBuffer commands;
-    uint32_t family;
+    uint32_t family, recorded_for; /* UINT32_MAX: the first, unsaid. */
     VkPhysicalDeviceFeatures features;
 };
+
+/* No driver that every machine has offers two families: here one pretends to, with a second that cannot draw. The device makes
+ * everything of its true one, which has nothing to share. */
+static void VKAPI_CALL two_families(VkPhysicalDevice device, uint32_t* count, VkQueueFamilyProperties* families) {
+    uint32_t one = 1;
+    VkQueueFamilyProperties truly = {0};
+    vkGetPhysicalDeviceQueueFamilyProperties(device, &one, &truly);
+    *count = 2;
+    if (!families) return;
+    families[0] = families[1] = truly;
+    families[1].queueFlags = VK_QUEUE_COMPUTE_BIT | VK_QUEUE_TRANSFER_BIT;
+    families[1].timestampValidBits = 0;
+}
+static PFN_vkVoidFunction VKAPI_CALL pretend(VkInstance instance, const char* name) {
+    if (strcmp(name, "vkGetPhysicalDeviceQueueFamilyProperties") == 0) return (PFN_vkVoidFunction)two_families;
+    return vkGetInstanceProcAddr(instance, name);
+}
 
 static uint32_t graphics_family(VkPhysicalDevice device) {
     VkQueueFamilyProperties families[16];
@@ -63,7 +81,12 @@ static aureole_commands* begin(void* user, aureole_device* device) {
     struct host* host = user;
     aureole_commands* commands = NULL;
     CHECK(vkBeginCommandBuffer(host->commands, &info) == VK_SUCCESS);
-    CHECK_OK(aureole_begin(device, host->commands, &commands));
+    CHECK(aureole_begin_on(device, host->commands, 17, &commands) == AUREOLE_INVALID_ARGUMENT);
+    CHECK(strcmp(aureole_last_error_field(), "queue_family") == 0 && strcmp(aureole_last_error_value(), "17") == 0);
+    if (host->recorded_for == UINT32_MAX)
+        CHECK_OK(aureole_begin(device, host->commands, &commands));
+    else
+        CHECK_OK(aureole_begin_on(device, host->commands, host->recorded_for, &commands));
     return commands;
 }
 
@@ -81,14 +104,16 @@ static void run(void* user, aureole_device* device) {
     CHECK_OK(aureole_collect(device, 1));
 }
 
-void picture_on_borrowed_vulkan(struct picture* out) {
+void picture_on_borrowed_vulkan(struct picture* out, int on_second_family) {
     struct host host = {0};
     struct runner runner = {begin, run, NULL};
     aureole_borrowed_vulkan lent = {.struct_size = sizeof lent};
     aureole_device* device = NULL;
     runner.user = &host;
     open_host(&host);
+    host.recorded_for = on_second_family ? 1 : UINT32_MAX;
     CHECK_OK(aureole_borrowed_vulkan_defaults(&lent));
+    CHECK(lent.second_queue_family == UINT32_MAX);
     CHECK(aureole_borrow_vulkan_device(&lent, &device) == AUREOLE_INVALID_ARGUMENT); /* nothing is lent yet */
     lent.api_version = VK_API_VERSION_1_1;
     lent.instance = host.instance;
@@ -97,6 +122,11 @@ void picture_on_borrowed_vulkan(struct picture* out) {
     lent.get_instance_proc_addr = (void (*)(void))vkGetInstanceProcAddr;
     lent.queue_family = host.family;
     lent.enabled_features = &host.features;
+    lent.second_queue_family = 17;
+    CHECK(aureole_borrow_vulkan_device(&lent, &device) == AUREOLE_INVALID_ARGUMENT);
+    CHECK(strcmp(aureole_last_error_field(), "second_queue_family") == 0);
+    lent.second_queue_family = on_second_family ? 1 : host.family;
+    if (on_second_family) lent.get_instance_proc_addr = (void (*)(void))pretend;
     CHECK_OK(aureole_borrow_vulkan_device(&lent, &device));
     picture_by_c(device, &runner, out);
     CHECK_OK(aureole_destroy_device(device));

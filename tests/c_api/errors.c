@@ -169,6 +169,7 @@ static void check_objects(aureole_device* device) {
 
     CHECK(aureole_end(device, NULL) == AUREOLE_MISUSE);
     CHECK(aureole_begin(device, &count, &commands) == AUREOLE_INVALID_ARGUMENT);
+    CHECK_INVALID(aureole_begin_on(device, NULL, 0, &commands), "queue_family", "0", "UINT32_MAX");
     CHECK_OK(aureole_begin(device, NULL, &commands));
     CHECK(aureole_begin(device, NULL, &commands) == AUREOLE_MISUSE);
     CHECK_INVALID(aureole_barrier_texture(commands, 1, 0, 40), "after", "40", "0 to 8");

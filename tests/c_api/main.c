@@ -5,6 +5,7 @@
 #include "c_api/check.h"
 #include "c_api/errors.h"
 #include "c_api/picture_by_c.h"
+#include "c_api/small_pictures.h"
 #ifdef C_API_TEST_OPENS_VULKAN
 #include "c_api/borrowed.h"
 #endif
@@ -70,8 +71,11 @@ static void check_vulkan(void) {
         check_same("Vulkan", c, cpp);
 #ifdef C_API_TEST_OPENS_VULKAN
         memset(c, 0, sizeof *c);
-        picture_on_borrowed_vulkan(c);
+        picture_on_borrowed_vulkan(c, 0);
         check_same("Vulkan, borrowed", c, cpp);
+        memset(c, 0, sizeof *c);
+        picture_on_borrowed_vulkan(c, 1);
+        check_same("Vulkan, borrowed, on the second family", c, cpp);
 #endif
     }
     free(c);
@@ -81,6 +85,8 @@ static void check_vulkan(void) {
 int main(void) {
     check_errors();
     check_cpu();
+    check_numbers();
+    check_planned_sky();
     check_vulkan();
     if (failures == 0)
         printf("SUCCESS!\n");

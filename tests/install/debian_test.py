@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""What cpack makes for Debian: its packages by name, what each needs, and what each holds.
+"""What cpack makes for Debian: its packages by name, what each needs, and what each holds; and that a project which asks for no more
+than find_package(aureole 1.0) builds and runs with what libaureole-dev holds.
 
-    debian_test.py CPACK BUILD_FOLDER WORK_FOLDER VERSION
+    debian_test.py CPACK BUILD_FOLDER WORK_FOLDER VERSION CMAKE
 
 Exit code 77: there is no dpkg-deb here.
 """
@@ -10,7 +11,7 @@ import shutil
 import subprocess
 import sys
 
-CPACK, BUILD, WORK, VERSION = sys.argv[1:]
+CPACK, BUILD, WORK, VERSION, CMAKE = sys.argv[1:]
 WANTED = {
     'aureole': {
         'needs': ['libc6', 'libstdc++6', 'libtbb12'],  # told by dpkg-shlibdeps
@@ -21,13 +22,17 @@ WANTED = {
         'never': ['.a', '.h', '.pc', '.cmake'],
     },
     'libaureole-dev': {
-        'needs': ['libglm-dev', 'libspdlog-dev'],
+        'needs': ['libglm-dev', 'libspdlog-dev', 'libtbb12'],  # the last for the C library
         'holds': ['usr/include/aureole/atmosphere.h', 'usr/include/aureole/rhi/device.h', 'usr/include/aureole/glsl/aureole.glsl',
-                  'usr/lib/libaureole_atmosphere.a', 'usr/lib/pkgconfig/aureole.pc', 'usr/lib/cmake/aureole/aureole-config.cmake',
+                  'usr/lib/libaureole_atmosphere.a', 'usr/lib/pkgconfig/aureole.pc', 'usr/lib/pkgconfig/aureole-c.pc',
+                  'usr/lib/libaureole_c.so.1', 'usr/lib/cmake/aureole/aureole-config.cmake',
                   'usr/share/doc/aureole/docs/integration.md', 'usr/share/doc/libaureole-dev/copyright'],
-        'never': ['_test.h', '/aureole/scenes/noon.toml', 'bin/aureole'],
+        'never': ['_test.h', '/aureole/scenes/noon.toml', 'bin/aureole', 'bin/aureole-viewer'],
     },
 }
+if (pathlib.Path(BUILD) / 'bin/aureole-viewer').exists():
+    WANTED['aureole-viewer'] = {'needs': ['libglfw3', 'libstdc++6'], 'holds': ['usr/bin/aureole-viewer'],
+                                'never': ['.a', '.h', 'bin/aureole']}
 
 
 def output(*command, **options):
@@ -47,11 +52,24 @@ def check(package, wanted):
     return problems + [f'{package}: {name}: not below usr/' for name in files if not name.startswith('usr/')]
 
 
+def build_with_package():
+    """Problems of an outside project with the files of libaureole-dev alone."""
+    root, build = pathlib.Path(WORK) / 'root', pathlib.Path(WORK) / 'plain'
+    output('dpkg-deb', '--extract', next(pathlib.Path(WORK).glob('libaureole-dev_*.deb')), root)
+    source = pathlib.Path(__file__).parent / 'plain'
+    said = output(CMAKE, '-G', 'Ninja', '-S', source, '-B', build, f'-DCMAKE_PREFIX_PATH={root}/usr', '-DCMAKE_BUILD_TYPE=Release',
+                  '-DCMAKE_FIND_PACKAGE_NO_PACKAGE_REGISTRY=ON')
+    output(CMAKE, '--build', build)
+    output(build / 'outside_plain')
+    return [] if f'aureole_CONFIG: {root}/usr/' in said else ['find_package(aureole 1.0) found another package: ' + said]
+
+
 if not (shutil.which('dpkg-deb') and shutil.which('dpkg-shlibdeps')):
     print('skipped: dpkg-deb and dpkg-shlibdeps are not here')
     sys.exit(77)
 shutil.rmtree(WORK, ignore_errors=True)
 output(CPACK, '-G', 'DEB', '-B', WORK, cwd=BUILD)
 report = [problem for package, wanted in WANTED.items() for problem in check(package, wanted)]
-print('\n'.join(report) if report else 'two packages, with all that they should hold')
+report = report or build_with_package()
+print('\n'.join(report) if report else f'{len(WANTED)} packages, with all that they should hold')
 sys.exit(1 if report else 0)

@@ -1,8 +1,8 @@
 # Installs a build into a staging folder, moves it (a package must not know where it was born), and configures, builds and runs
 # the outside project beside this file against it.
-# Then the shader that it wrote, which includes the installed look-ups, is compiled, and four more projects are built and run: one
-# without any backend, one that proves a device with the conformance kit, one in C, and a program that knows nothing but what
-# pkg-config says.
+# Then the shader that it wrote, which includes the installed look-ups, is compiled, and more projects are built and run: one
+# without any backend, one that proves a device with the conformance kit, one in C, one that names no component and is given those
+# files alone that developers get, and programs that know nothing but what pkg-config says.
 #   cmake -D BUILD_DIR=... -D WORK_DIR=... -D CXX_COMPILER=... -D GLSLANG=... -P install_test.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -37,8 +37,9 @@ if(EXISTS "${WORK_DIR}/born/bin/aureole")
     endforeach()
 endif()
 file(RENAME "${WORK_DIR}/born" "${WORK_DIR}/prefix")
+set(package "${WORK_DIR}/prefix")
 function(build_and_run source build program)
-    step("${CMAKE_COMMAND}" -G Ninja -S "${source}" -B "${build}" "-DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix"
+    step("${CMAKE_COMMAND}" -G Ninja -S "${source}" -B "${build}" "-DCMAKE_PREFIX_PATH=${package}"
          "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}" -DCMAKE_BUILD_TYPE=Release)
     step("${CMAKE_COMMAND}" --build "${build}")
     step("${build}/${program}" ${ARGN})
@@ -50,10 +51,18 @@ build_and_run("${CMAKE_CURRENT_LIST_DIR}/rhi_only" "${WORK_DIR}/build_rhi_only" 
 build_and_run("${CMAKE_CURRENT_LIST_DIR}/rhi_tests" "${WORK_DIR}/build_rhi_tests" outside_rhi_tests)
 build_and_run("${CMAKE_CURRENT_LIST_DIR}/c" "${WORK_DIR}/build_c" outside_c)
 
+# Of a build with shared C++ libraries, those are a component of their own.
+foreach(component development libraries)
+    step("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${WORK_DIR}/developer" --component ${component})
+endforeach()
+set(package "${WORK_DIR}/developer")
+build_and_run("${CMAKE_CURRENT_LIST_DIR}/plain" "${WORK_DIR}/build_plain" outside_plain)
+
 find_program(pkg_config pkg-config)
-if(pkg_config)
-    file(GLOB_RECURSE found "${WORK_DIR}/prefix/*/aureole.pc")
-    cmake_path(GET found PARENT_PATH folder)
-    step("${CMAKE_COMMAND}" -E env "PKG_CONFIG_PATH=${folder}" "CXX=${CXX_COMPILER}" sh "${CMAKE_CURRENT_LIST_DIR}/pkg_config.sh"
-         "${CMAKE_CURRENT_LIST_DIR}" "${WORK_DIR}")
+if(NOT pkg_config)
+    message(FATAL_ERROR "there is no pkg-config (cmake/install_dependencies.sh --tests)")
 endif()
+file(GLOB_RECURSE found "${WORK_DIR}/prefix/*/aureole.pc")
+cmake_path(GET found PARENT_PATH folder)
+step("${CMAKE_COMMAND}" -E env "PKG_CONFIG_PATH=${folder}" "CXX=${CXX_COMPILER}" CC=cc sh "${CMAKE_CURRENT_LIST_DIR}/pkg_config.sh"
+     "${CMAKE_CURRENT_LIST_DIR}" "${WORK_DIR}")

@@ -9,8 +9,8 @@
 #include <aureole/models/spectral.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <type_traits>
 #include <variant>
@@ -147,62 +147,86 @@ Fields fields_of(ReferenceSettings& s) {
             {"light_paths", &s.light_paths}};
 }
 
-std::string print(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", value);
-    return text;
-}
-
+/// False for what is no value of the field's type; which of those it takes the model says.
 template <class T>
-void set(T& to, const std::string& name, double value) {
+[[nodiscard]] bool set(T& to, double value) {
     if constexpr (std::is_same_v<T, double>) {
         to = value;
-        return;
+        return true;
+    } else if constexpr (std::is_enum_v<T>) {
+        std::underlying_type_t<T> number{};
+        const bool fits = set(number, value);
+        to = static_cast<T>(number);
+        return fits;
     } else {
-        // Whole numbers of the field's type: the model then says which of them it takes.
-        double least = 0, most = 1;
-        if constexpr (std::is_enum_v<T>)
-            most = std::numeric_limits<std::underlying_type_t<T>>::max();
-        else
-            least = std::numeric_limits<T>::lowest(), most = std::numeric_limits<T>::max();
-        if (!(value >= least && value <= most) || value != std::floor(value))
-            throw Error(ErrorCode::invalid_argument, name, print(value),
-                        "whole numbers in [" + print(least) + ", " + print(most) + "]");
-        if constexpr (std::is_enum_v<T>)
-            to = static_cast<T>(static_cast<std::underlying_type_t<T>>(value));
-        else
-            to = static_cast<T>(value);
+        constexpr double least = std::numeric_limits<T>::lowest(), most = std::numeric_limits<T>::max();
+        const bool fits = value >= least && value <= most && value == std::floor(value);
+        to = fits ? static_cast<T>(value) : value < 0 ? std::numeric_limits<T>::lowest() : std::numeric_limits<T>::max();
+        return fits;
     }
 }
 
+/// Settings of one model under way.
 template <class Settings>
-void set_numbers(Settings& settings, const Setting& chosen, std::span<const aureole_number> numbers) {
-    const Fields fields = fields_of(settings);
-    std::string prefix = chosen.model + ".";
-    std::ranges::replace(prefix, '-', '_');  // as the models name themselves in errors
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const std::string where = "setting.numbers[" + std::to_string(i) + "].name";
-        const std::string_view name = &given(numbers[i].name, where);
-        const auto found = std::ranges::find_if(fields, [&](const Named& f) { return f.name == name; });
-        if (found == fields.end()) {
-            std::string known;
-            for (const Named& f : fields) known.append(known.empty() ? "" : ", ").append(f.name);
-            throw Error(ErrorCode::invalid_argument, where, "\"" + std::string(name) + "\"",
-                        "a number of the model " + chosen.model + ": " + known);
+class ByNumber {
+public:
+    ByNumber(Settings settings, const Setting& chosen, ModelPtr (*make)(const Settings&))
+        : settings_(std::move(settings)), model_(chosen.model), make_(make), fields_(fields_of(settings_)) {}
+    ByNumber(const ByNumber&) = delete;
+    ByNumber& operator=(const ByNumber&) = delete;
+
+    void set_number(const aureole_number& number, const std::string& where) {
+        const Named& named = find(&given(number.name, where), where);
+        if (!std::visit([&](auto* field) { return set(*field, number.value); }, named.field)) refuse(named, number.value);
+    }
+    [[nodiscard]] Numbers numbers() const {
+        Numbers numbers{make_(settings_), {}};  // refuses what is out of range
+        for (const Named& f : fields_)
+            numbers.values.push_back({f.name, std::visit([](auto* field) { return static_cast<double>(*field); }, f.field)});
+        return numbers;
+    }
+
+private:
+    [[nodiscard]] const Named& find(std::string_view name, const std::string& where) const {
+        const auto found = std::ranges::find_if(fields_, [&](const Named& f) { return f.name == name; });
+        if (found != fields_.end()) return *found;
+        std::string known;
+        for (const Named& f : fields_) known.append(known.empty() ? "" : ", ").append(f.name);
+        throw Error(ErrorCode::invalid_argument, where, "\"" + std::string(name) + "\"",
+                    "a number of the model " + model_ + ": " + known);
+    }
+    /// In the words that the model has for another number that it does not take.
+    [[noreturn]] void refuse(const Named& named, double value) const {
+        std::string name = model_ + "." + named.name, allowed = "0 or 1";
+        std::ranges::replace(name, '-', '_');  // as the models name themselves in errors
+        if (!std::holds_alternative<bool*>(named.field)) {
+            allowed = "as documented";
+            std::visit([](auto* field) { (void)set(*field, 1e300); }, named.field);  // the most that its type holds
+            try {
+                (void)make_(settings_);
+            } catch (const Error& error) {
+                if (error.field() == name) allowed = error.allowed();
+            }
+            allowed = "whole numbers: " + allowed;
         }
-        std::visit([&](auto* field) { set(*field, prefix + found->name, numbers[i].value); }, found->field);
+        char text[32];
+        const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+        throw Error(ErrorCode::invalid_argument, name, std::string(text, end), allowed);
     }
-}
+
+    Settings settings_;
+    std::string model_;
+    ModelPtr (*make_)(const Settings&);
+    Fields fields_;  ///< Of settings_.
+};
 
 template <class Settings>
-Numbers numbers_of(Settings settings, const Setting& chosen, std::span<const aureole_number> given_ones,
+Numbers numbers_of(Settings settings, const Setting& chosen, std::span<const aureole_number> numbers,
                    ModelPtr (*make)(const Settings&)) {
-    set_numbers(settings, chosen, given_ones);
-    Numbers numbers;
-    numbers.model = make(settings);  // refuses what is out of range
-    for (const Named& f : fields_of(settings))
-        numbers.values.push_back({f.name, std::visit([](auto* field) { return static_cast<double>(*field); }, f.field)});
-    return numbers;
+    ByNumber<Settings> made(std::move(settings), chosen, make);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        made.set_number(numbers[i], "setting.numbers[" + std::to_string(i) + "].name");
+    return made.numbers();
 }
 
 }  // namespace

@@ -71,8 +71,8 @@ void write_reports(std::span<const PassReport> reports, aureole_pass_report* out
 // Plan.
 [[nodiscard]] aureole_requirements to_c(const PlanRequirements& needs);
 [[nodiscard]] PlanRequirements to_cpp(const aureole_requirements& requirements);
-[[nodiscard]] aureole_follow_settings to_c(const FollowSettings& follow);
-[[nodiscard]] FollowSettings to_cpp(const aureole_follow_settings& follow);
+[[nodiscard]] aureole_follow_settings to_c(const FollowSettings& settings);
+[[nodiscard]] FollowSettings to_cpp(const aureole_follow_settings& settings);
 
 [[nodiscard]] Rgb rgb(const double from[3]);
 void copy(const Rgb& from, double to[3]);

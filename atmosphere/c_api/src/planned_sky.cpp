@@ -11,18 +11,20 @@ aureole_planned_sky::aureole_planned_sky(aureole_device& on, const PlanRequireme
 }
 aureole_planned_sky::~aureole_planned_sky() { --device.atmospheres; }
 
-aureole_follow_settings c_api::to_c(const FollowSettings& f) {
+aureole_follow_settings c_api::to_c(const FollowSettings& settings) {
+    const ShadowSettings& shadows = settings.shadows;
     return {sizeof(aureole_follow_settings),
-            f.fade_frames,
-            f.margin,
-            static_cast<std::uint32_t>(f.passes_per_frame),
-            f.shadows.cascades,
-            f.shadows.distance_m,
-            {f.shadows.size.width, f.shadows.size.height, f.shadows.size.depth},
-            f.shadows.samples};
+            settings.fade_frames,
+            settings.margin,
+            static_cast<std::uint32_t>(settings.passes_per_frame),
+            shadows.cascades,
+            shadows.distance_m,
+            {shadows.size.width, shadows.size.height, shadows.size.depth},
+            shadows.samples};
 }
 
-FollowSettings c_api::to_cpp(const aureole_follow_settings& c) {
+FollowSettings c_api::to_cpp(const aureole_follow_settings& settings) {
+    const aureole_follow_settings& c = settings;
     FollowSettings f;
     f.margin = c.margin;
     f.fade_frames = c.fade_frames;

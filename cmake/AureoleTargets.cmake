@@ -40,6 +40,15 @@ function(aureole_export_symbols target)
     endif()
 endfunction()
 
+# aureole_install_program(<target> <component>): into the package's folder of programs, from where it finds shared libraries of ours.
+function(aureole_install_program target component)
+    if(BUILD_SHARED_LIBS AND CMAKE_EXECUTABLE_FORMAT STREQUAL "ELF")
+        file(RELATIVE_PATH libraries "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
+        set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries}")
+    endif()
+    install(TARGETS ${target} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT ${component})
+endfunction()
+
 # aureole_add_library(<name> SOURCES <file>...)
 #
 # A library `aureole_<name>` with the alias `aureole::<name>`: static, or shared with BUILD_SHARED_LIBS. Its public headers are in

@@ -22,6 +22,7 @@ LANGUAGES = {'.h': 'cpp', '.cpp': 'cpp', '.c': 'c', '.glsl': 'glsl', '.py': 'pyt
 IMAGES = {'.png', '.jpg', '.svg', '.gif'}
 SOURCE = pathlib.PurePosixPath('source')
 SHOWN = 200_000  # characters of a file
+CODE = re.compile(r'`[^`\n]+`')
 LIST = re.compile(r'\s*([-*]|\d+\.) ')
 
 
@@ -88,7 +89,8 @@ class Site:
             if begins_list or begins_table:
                 lines.append('')
                 opening = line
-            lines.append(line)
+            # In a cell GitHub wants a bar of code escaped; Python's Markdown shows the escape.
+            lines.append(CODE.sub(lambda code: code.group(0).replace('\\|', '|'), line) if line.startswith('|') else line)
         return '\n'.join(lines)
 
     def write(self, place, text):

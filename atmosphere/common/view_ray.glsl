@@ -54,7 +54,7 @@ ViewDirection view_direction(vec3 direction) {
     v.mu = dot(direction, up);
     vec3 across = direction - v.mu * up;
     v.sine = sqrt(dot(across, across));
-    v.horizontal = v.sine > real(1e-6) ? across / v.sine : vec3(view.east);
+    v.horizontal = v.sine > real(1e-7) ? across / v.sine : vec3(view.east);
     return v;
 }
 

@@ -13,6 +13,7 @@
 #ifndef AUREOLE_LIGHT_GLSL
 #define AUREOLE_LIGHT_GLSL
 
+#include "common/energy.glsl"
 #include "light/directions.glsl"
 #include "light/harmonics.glsl"
 #include "light/sun.glsl"
@@ -25,15 +26,22 @@ SAMPLER_2D(14, sum_before)  // of the triplets before (triplet.glsl)
 
 LOCAL_SIZE(10, 1, 1)
 
+// However sharp a peak that the rule's directions meet or miss, from where a ring stands for comes no more than the sun's own beam and
+// what is diffuse.
 vec3 sky_coefficient(int sun, int coefficient) {
     vec3 sum = vec3(real(0));
     for (int ring = 0; ring < LIGHT_RINGS; ++ring) {
         LightRing around = light_ring(ring);
+        vec3 share = vec3(real(0));
+        vec3 all = vec3(real(0));
         for (int k = 0; k < LIGHT_AZIMUTHS; ++k) {
             LightDirection at = light_direction(sun, around, k);
-            sum += AUREOLE_LIGHT_RADIANCE(sun, ring * LIGHT_AZIMUTHS + k, at) *
-                   (around.weight * world_harmonic(coefficient, at.direction));
+            vec3 light = AUREOLE_LIGHT_RADIANCE(sun, ring * LIGHT_AZIMUTHS + k, at) * around.weight;
+            share += light * world_harmonic(coefficient, at.direction);
+            all += light;
         }
+        real most = 1 + MOST_MEAN_RADIANCE * around.weight * real(LIGHT_AZIMUTHS);
+        sum += share * (most / max(all, vec3(most)));
     }
     return sum;
 }

@@ -3,6 +3,7 @@
 // geometric series, whose ratio is that of the last two orders at each node.
 #include "common/constants.glsl"
 #include "common/blocks.glsl"
+#include "common/energy.glsl"
 #include "common/specialization.glsl"
 
 UNIFORMS(0, AtmosphereBlock, atm)
@@ -76,6 +77,9 @@ COMPUTE_MAIN(id) {
         sum_mean += sum_before;
         value += ground ? exp(value_before) : value_before * sum_before;
     }
-    vec3 stored = layer == 0 ? log(sum_mean) : (ground ? log(value) : value / sum_mean);
+    // What all orders add up to. Light from all of a hemisphere is pi times its radiance.
+    vec3 most_mean = vec3(last ? MOST_MEAN_RADIANCE : real(1e30));
+    vec3 most_irradiance = vec3(last ? PI * MOST_MEAN_RADIANCE : real(1e30));
+    vec3 stored = layer == 0 ? log(min(sum_mean, most_mean)) : (ground ? log(min(value, most_irradiance)) : value / sum_mean);
     imageStore(sum_out, ivec2(id.x, id.y), vec4(stored, real(0)));
 }

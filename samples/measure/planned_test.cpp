@@ -37,12 +37,19 @@ double reach_of(const PlanRequirements& needs, const MeasuredSkies& skies, std::
     return scene % 4 == 0 ? 96 : near_km[scene / 2 % near_km.size()];
 }
 
+/// Under AddressSanitizer each third scene is looked at, which is still every kind of requirements that reach_of() makes.
+#ifdef __SANITIZE_ADDRESS__
+constexpr std::size_t scenes_apart = 3;
+#else
+constexpr std::size_t scenes_apart = 1;
+#endif
+
 void check_every_scene(const MeasuredSkies& skies, bool wavelengths) {
     const auto airs = suite_airs();
     const Predictor predictor(skies);
     Planned all;
-    std::size_t with_geometry = 0, with_bare = 0;
-    for (std::size_t scene = 0; scene < skies.scenes.size(); ++scene) {
+    std::size_t looked_at = 0, with_geometry = 0, with_bare = 0;
+    for (std::size_t scene = 0; scene < skies.scenes.size(); scene += scenes_apart) {
         INFO(skies.airs[skies.scenes[scene].air]);
         REQUIRE(airs.contains(skies.airs[skies.scenes[scene].air]));
         PlanRequirements needs;
@@ -54,6 +61,7 @@ void check_every_scene(const MeasuredSkies& skies, bool wavelengths) {
         needs.light = true;
         needs.light = is_known(needs, skies, scene);
         if (!is_known(needs, skies, scene)) continue;
+        ++looked_at;
         with_geometry += needs.geometry ? 1 : 0;
         with_bare += measured_bare(needs, skies, scene) ? 1 : 0;
         const Planned here = check_plans_of(needs, predictor, scene);
@@ -61,11 +69,12 @@ void check_every_scene(const MeasuredSkies& skies, bool wavelengths) {
         all.refused += here.refused;
         all.of_air += here.of_air;
     }
-    CHECK(with_geometry > 3);
-    CHECK(all.planned > 2 * skies.scenes.size());
+    CHECK(scenes_apart * with_geometry > 3);
+    CHECK(scenes_apart * looked_at > skies.scenes.size() / 2);
+    CHECK(all.planned > 2 * looked_at);
     CHECK(all.refused > 0);  // half a percent in twilight
     CHECK(all.of_air == 11 * with_bare);
-    if (!wavelengths) CHECK(with_bare > 10);
+    if (!wavelengths) CHECK(scenes_apart * with_bare > 10);
 }
 
 }  // namespace

@@ -70,6 +70,12 @@ vec3 transmittance_of_beam(real altitude, real mu_s, INOUT(Draws) draws) {
     return tracked_transmittance(altitude, mu_s, distance_to_top(altitude, mu_s), draws);
 }
 
+// Where nodes overlook most of the air, a truth by quadrature is any number of times the density of what was drawn, and so it goes from
+// event to event: what a path weighs, and what one of its draws brings of a unit of sunlight, ends here. Of air that the nodes know
+// nothing comes near.
+CONST(real, MOST_OF_A_DRAW, real(1e9))
+CONST(real, MOST_WEIGHT, real(1e9))
+
 // Light of the suns from a place on the leg, in the air or on the ground at its end, on its way along the leg, of this weight.
 vec3 light_from(Walk walk, real t, bool on_ground, vec3 weight, int only, INOUT(Draws) draws) {
     Walk there = walk_on(walk, t, on_ground);
@@ -81,9 +87,9 @@ vec3 light_from(Walk walk, real t, bool on_ground, vec3 weight, int only, INOUT(
         real mu_s = dot(there.up, towards);
         vec3 sent = on_ground ? max(mu_s, real(0)) / PI * vec3(atm.ground_albedo) : scattered_to(air, walk.direction, towards);
         vec3 lit = sent * transmittance_of_beam(there.altitude, mu_s, draws);
-        radiance += lit_by(sun, only, IN_TRIPLETS ? weight * (through * lit) : lit);
+        radiance += lit_by(sun, only, min(weight * (through * lit), vec3(MOST_OF_A_DRAW)));
     }
-    return IN_TRIPLETS ? radiance : weight * (through * radiance);
+    return radiance;
 }
 // The same roughly, to choose between the two.
 real rough_ground_light(Walk walk, Leg leg, vec3 weight, int only) {
@@ -264,7 +270,7 @@ vec3 path_radiance(Walk walk, Leg leg, int only, uint x, uint y, uint path) {
         place.density = real(1);
         if (!on_ground) place = draw_place(leg, weight, EVEN_SHARE / real(order), where.y, where.z);
         weight *= transmittance_along(walk.altitude, walk.mu, place.t, draws) / (on_ground ? ground_share : 1 - ground_share);
-        weight = place.density > 0 ? weight / place.density : vec3(real(0));
+        weight = place.density > 0 ? min(weight / place.density, vec3(MOST_WEIGHT)) : vec3(real(0));
         walk = walk_on(walk, place.t, on_ground);
 
         walk.direction = turn(walk, on_ground, whither, light.w, only, weight);

@@ -5,9 +5,9 @@
 #
 #   --no-install  only check: exit 1 and name what is missing
 #   --tests       also what ./test.sh needs (Vulkan validation layer, a browser, OGRE, the viewer's packages, a display in memory, what
-#                 reads packages and manual pages)
+#                 reads packages, manual pages and the headers' comments)
 #   --format      also what the checks of format and habits need (clang-format 14, clang-tidy 14)
-#   --docs        also what the documentation's site is made with (mkdocs, doxygen, KaTeX)
+#   --docs        also what the documentation's site and its pictures are made with (mkdocs, doxygen, KaTeX, Pillow)
 set -euo pipefail
 
 packages=(
@@ -32,12 +32,13 @@ for argument in "$@"; do
         --tests)
             packages+=(vulkan-validationlayers chromium)
             packages+=(dpkg-dev pkg-config man-db)                           # what reads packages and manual pages
+            packages+=(doxygen)                                              # what reads the public headers' comments
             packages+=(libglfw3-dev xvfb xauth)                              # samples with windows
             packages+=(libimgui-dev)                                         # samples/viewer
             packages+=(libepoxy-dev libogre-1.12-dev libegl1 libgl1-mesa-dri) # samples/ogre
             ;;
         --format) packages+=(clang-format-14 clang-tidy-14) ;;
-        --docs) packages+=(mkdocs mkdocs-material mkdocs-material-extensions python3-pymdownx doxygen libjs-katex fonts-katex) ;;
+        --docs) packages+=(mkdocs mkdocs-material mkdocs-material-extensions python3-pymdownx doxygen libjs-katex fonts-katex python3-pil) ;;
         *) echo "install_dependencies.sh: unknown option $argument; allowed: --no-install --tests --format --docs" >&2; exit 2 ;;
     esac
 done

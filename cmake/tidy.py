@@ -3,7 +3,7 @@
 
     cmake/tidy.py                 everything that build/release compiles, but for generated kernels
     cmake/tidy.py --build FOLDER  what another build folder compiles
-    cmake/tidy.py --headers       the public headers alone, in one file that includes them all: no build is needed
+    cmake/tidy.py --headers       the public headers alone, in files that include them all, one of C++ and one of C: no build is needed
     cmake/tidy.py PART...         of the build's files those whose path holds one of these words
 
 Exit code 1 if anything is found. Files that the build compiles together are looked at together.
@@ -65,18 +65,26 @@ def check_build(build, parts):
     return bad
 
 
-def check_headers():
-    folders = [ROOT / 'rhi/include', ROOT / 'atmosphere/include', ROOT / 'backends/cpu/include', ROOT / 'backends/vulkan/include']
+def check_together(parts, name, options):
+    """The headers of some parts in one file that includes them all. Says how many they are, what was found, and the seconds it took."""
+    folders = [ROOT / part / 'include' for part in parts]
     # Kernels' headers are included by kernels alone.
     headers = [header.relative_to(folder) for folder in folders for header in sorted(folder.rglob('*.h')) if 'kernel' not in header.parts]
     with tempfile.TemporaryDirectory() as folder:
-        file = pathlib.Path(folder) / 'headers.cpp'
+        file = pathlib.Path(folder) / name
         file.write_text(''.join(f'#include <{header.as_posix()}>\n' for header in headers), encoding='utf-8')
-        options = ['-std=c++20', '-Wall', '-Wextra', '-DSPDLOG_COMPILED_LIB', '-DSPDLOG_FMT_EXTERNAL', *(f'-I{path}' for path in folders)]
-        said, seconds = tidy(file, [f'--config-file={ROOT}/.clang-tidy', '--', *options])
+        options = ['-Wall', '-Wextra', *options, *(f'-I{path}' for path in folders)]
+        return len(headers), *tidy(file, [f'--config-file={ROOT}/.clang-tidy', '--', *options])
+
+
+def check_headers():
+    cpp = check_together(('rhi', 'atmosphere', 'backends/cpu', 'backends/vulkan', 'tests/rhi'), 'headers.cpp',
+                         ['-std=c++20', '-DSPDLOG_COMPILED_LIB', '-DSPDLOG_FMT_EXTERNAL'])
+    c = check_together(('atmosphere/c_api',), 'headers.c', ['-std=c11'])
+    said = cpp[1] + c[1]
     if said:
         print(said)
-    print(f'clang-tidy: {len(headers)} public headers in {seconds:.0f} s, {"with findings" if said else "nothing found"}')
+    print(f'clang-tidy: {cpp[0] + c[0]} public headers in {cpp[2] + c[2]:.0f} s, {"with findings" if said else "nothing found"}')
     return bool(said)
 
 

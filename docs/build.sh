@@ -40,7 +40,7 @@ cp -L "$katex"/fonts/*.woff2 "$stage/theme/katex/fonts/"
 mkdir -p "$stage/api"
 version=$(sed -n 's/^project(aureole VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 (cat docs/site/Doxyfile; echo "OUTPUT_DIRECTORY = $stage/api"; echo "PROJECT_NUMBER = $version") | doxygen -
-python3 -B docs/site/undocumented.py "$stage/api/xml"
+python3 -B docs/site/undocumented.py --xml "$stage/api/xml"
 rm -r "$stage/api/xml"
 
 AUREOLE_SITE_STAGE=$stage AUREOLE_SITE_OUT=$out PYTHONPATH=docs/site PYTHONDONTWRITEBYTECODE=1 mkdocs build --strict --quiet --clean \

@@ -17,7 +17,7 @@ from PIL import Image
 
 DOCS = pathlib.Path(__file__).resolve().parent
 VALUES = re.compile(r'^(?P<key>\w+ = )(?P<value>.*?)  # pictures: (?P<all>.*)$', re.M)
-# Values inside of a table: the last number of the line is the one that changes.
+# Values inside of a table: the last number of the line is the one that changes, unless they are whole tables.
 INSIDE = re.compile(r'[-+.\de]+(?= \}$)')
 PANEL, GALLERY = (400, 225), (960, 540)
 COLUMNS = 4
@@ -38,7 +38,8 @@ def variants(text):
 
     def line(match, i):
         value = match['all'].split(' | ')[i]
-        return match['key'] + (INSIDE.sub(value, match['value']) if match['value'].startswith('{') else value)
+        inside = match['value'].startswith('{') and not value.startswith('{')
+        return match['key'] + (INSIDE.sub(value, match['value']) if inside else value)
     return [VALUES.sub(lambda match, i=i: line(match, i), text) for i in range(counts.pop())]
 
 

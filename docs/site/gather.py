@@ -22,6 +22,13 @@ LANGUAGES = {'.h': 'cpp', '.cpp': 'cpp', '.c': 'c', '.glsl': 'glsl', '.py': 'pyt
 IMAGES = {'.png', '.jpg', '.svg', '.gif'}
 SOURCE = pathlib.PurePosixPath('source')
 SHOWN = 200_000  # characters of a file
+CODE = re.compile(r'`[^`\n]+`')
+PASSES = ('transmittance', 'multi_scatter', 'sky_view', 'aerial_perspective', 'shadows', 'composite', 'light')
+ROOMS = {f'atmosphere/{room}/{room}.md' for room in PASSES}
+# A room's page begins with a table, in which one row leads to the kernel that its equations are in.
+KERNEL = re.compile(r'^\| (?:Kernels?|Equations|Tables)\b[^\n]*?\]\([^)\s]+\.glsl\)[^\n]*', re.M)
+GLSL = re.compile(r'\]\(([^)\s]+\.glsl)\)')
+SECTION = re.compile(r'^## ', re.M)
 LIST = re.compile(r'\s*([-*]|\d+\.) ')
 
 
@@ -88,7 +95,8 @@ class Site:
             if begins_list or begins_table:
                 lines.append('')
                 opening = line
-            lines.append(line)
+            # In a cell GitHub wants a bar of code escaped; Python's Markdown shows the escape.
+            lines.append(CODE.sub(lambda code: code.group(0).replace('\\|', '|'), line) if line.startswith('|') else line)
         return '\n'.join(lines)
 
     def write(self, place, text):
@@ -100,20 +108,33 @@ class Site:
     def write_page(self, page):
         place = self.page_of(page)
         text = self.convert(page, (self.root / page).read_text(encoding='utf-8'), place)
-        self.write(place, text + self.kernels(page))
+        self.write(place, self.beside(page, text) + self.kernels(page))
+
+    def shown(self, file, opened):
+        """A kernel that folds; its own page is made, too."""
+        self.sources.add(file.relative_to(self.root).as_posix())
+        code = '\n'.join(('    ' + line).rstrip() for line in file.read_text(encoding='utf-8').rstrip('\n').split('\n'))
+        return f'\n???{"+" if opened else ""} example kernel "{file.name}"\n\n    ```glsl\n{code}\n    ```\n'
+
+    def beside(self, page, text):
+        """The kernel that a page's first table names, below the page's first section: that is where the equations are."""
+        row = KERNEL.search((self.root / page).read_text(encoding='utf-8')) if page.startswith('atmosphere/') else None
+        sections = [match.start() for match in SECTION.finditer(text)]
+        if not row or len(sections) < 2:
+            return text
+        folder = (self.root / page).parent
+        named = [(folder / name).resolve() for name in GLSL.findall(row[0])]
+        named += [file for file in [folder / (folder.name + '.glsl')] if file.exists()]  # what the kernel includes of its own room
+        kernels = ''.join(self.shown(file, opened=file == named[0]) for file in dict.fromkeys(named))
+        return text[:sections[1]] + kernels + '\n' + text[sections[1]:]
 
     def kernels(self, page):
-        """The kernels of the room that a page stands in, folded up, and a link to each's own page."""
-        folder = (self.root / page).parent
-        files = sorted(folder.glob('*.glsl'))
+        """The kernels of the room that a page stands in, folded up."""
+        files = sorted((self.root / page).parent.glob('*.glsl'))
         if not files or not page.startswith('atmosphere/'):
             return ''
         text = '\n\n## Source of the kernels\n\nAs they are compiled, for the GPU and for the CPU in float and double.\n'
-        for file in files:
-            self.sources.add(file.relative_to(self.root).as_posix())
-            code = '\n'.join(('    ' + line).rstrip() for line in file.read_text(encoding='utf-8').rstrip('\n').split('\n'))
-            text += f'\n??? example "{file.name}"\n\n    ```glsl\n{code}\n    ```\n'
-        return text
+        return text + ''.join(self.shown(file, opened=False) for file in files)
 
     def write_source(self, path):
         file = self.root / path
@@ -152,6 +173,19 @@ def navigation_problems(site):
            [f'mkdocs.yml: {page}: no place in the navigation' for page in sorted(shown - named)]
 
 
+def incomplete(site):
+    """The page of each pass and of each model has equations, a picture that the project's own program makes, and names its kernel."""
+    problems = []
+    for page in sorted(site.pages):
+        room = pathlib.PurePosixPath(page).parent
+        if page not in ROOMS and not (str(room.parent) == 'atmosphere/models' and room.name == pathlib.PurePosixPath(page).stem):
+            continue
+        text = (site.root / page).read_text(encoding='utf-8')
+        wanted = {'equation': re.search(r'\$', text), 'picture': '![' in text and 'docs/pictures.py' in text, 'kernel in its first table': KERNEL.search(text)}
+        problems += [f'{page}: no {what}' for what, found in wanted.items() if not found]
+    return problems
+
+
 def main():
     root, stage = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
     if stage.exists():
@@ -159,7 +193,7 @@ def main():
     site = Site(root, stage)
     site.write_all()
     shutil.copytree(SITE / 'theme', stage / 'theme')
-    problems = navigation_problems(site)
+    problems = navigation_problems(site) + incomplete(site)
     if problems:
         sys.exit('\n'.join(problems))
     print(f'{len(site.pages)} pages, {len(site.sources)} files and folders that they link to')

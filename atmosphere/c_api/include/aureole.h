@@ -1,4 +1,5 @@
-/* Aureole's C API: skies of planets in an engine's own frame, from C, Rust, C#, Zig and whatever else binds to C.
+/** \file
+ * Aureole's C API: skies of planets in an engine's own frame, from C, Rust, C#, Zig and whatever else binds to C.
  *
  *     aureole_cpu_device_desc desc = {.struct_size = sizeof desc};
  *     aureole_cpu_device_desc_defaults(&desc);

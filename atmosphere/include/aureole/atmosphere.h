@@ -71,9 +71,9 @@ public:
     /// function is another one; another structure (number or kinds of terms, which of them share a phase function) makes new
     /// pipelines and tables, for all views too.
     void set_parameters(const AtmosphereParameters& parameters);
-    [[nodiscard]] const AtmosphereParameters& parameters() const noexcept;
-    [[nodiscard]] const Model& model() const noexcept;
-    [[nodiscard]] const QualitySettings& quality() const noexcept;  ///< Of the model.
+    [[nodiscard]] const AtmosphereParameters& parameters() const noexcept;  ///< As set last.
+    [[nodiscard]] const Model& model() const noexcept;                      ///< As given to the constructor.
+    [[nodiscard]] const QualitySettings& quality() const noexcept;          ///< Of the model.
 
     /// Passes of the multi-scatter fixed point recorded by each record() after a change, in [0, 64], else
     /// Error(invalid_argument): 0 solves at once (default), n spreads the solution over frames, n passes each; the table in use
@@ -108,7 +108,7 @@ public:
     /// over frames (by its own settings, or first_too above), and before that has begun.
     [[nodiscard]] double progress() const noexcept;
 
-    [[nodiscard]] rhi::Device& device() const noexcept;
+    [[nodiscard]] rhi::Device& device() const noexcept;  ///< As given to the constructor.
     // Null of a model that keeps no such table (its page says which it keeps). All can be copied from: out of State::sampled
     // and back into it.
     /// Optical depth to the top: see transmittance.glsl.
@@ -160,10 +160,10 @@ struct CompositeSettings {
     /// it is seen while any of the sky is, also when the sun has set. 0: disks. In [0, 0.9999]; 0.999 has half of its light
     /// within 0.1 degrees. Nothing without sun_disk.
     double sun_lobe_g = 0;
-    double exposure = 1;  ///< Multiplies the result, before the tone map. In [1e-30, 1e30].
-    ToneMap tone_map = ToneMap::none;
-    bool encode_srgb = false;  ///< Apply the sRGB curve (for rgba8_unorm targets).
-    bool dither = false;       ///< Triangular noise of one 8-bit step, after everything else.
+    double exposure = 1;               ///< Multiplies the result, before the tone map. In [1e-30, 1e30].
+    ToneMap tone_map = ToneMap::none;  ///< After the exposure.
+    bool encode_srgb = false;          ///< Apply the sRGB curve (for rgba8_unorm targets).
+    bool dither = false;               ///< Triangular noise of one 8-bit step, after everything else.
 };
 
 /// The host's textures for one composite. Colour and depth in State::sampled / depth_read; target in storage_write (compute) or

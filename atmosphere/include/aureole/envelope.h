@@ -37,16 +37,16 @@ struct InHalfFloats {
 };
 /// Within which one number may go.
 struct EnvelopeLimit {
-    double least = 0, greatest = 0;
-    std::string_view beyond;  ///< What to expect outside, and why.
+    double least = 0, greatest = 0;  ///< In the axis's unit.
+    std::string_view beyond;         ///< What to expect outside, and why.
 };
-[[nodiscard]] const EnvelopeLimit& envelope_limit(EnvelopeAxis axis);
+[[nodiscard]] const EnvelopeLimit& envelope_limit(EnvelopeAxis axis);  ///< What is inside along one axis.
 
 /// A number that is outside.
 struct OutsideEnvelope {
-    std::string field;  ///< As errors name it: "terms[1].phase.g".
-    double value = 0, least = 0, greatest = 0;
-    std::string_view beyond;  ///< Of the limit.
+    std::string field;                          ///< As errors name it: "terms[1].phase.g".
+    double value = 0, least = 0, greatest = 0;  ///< What was given, and what is inside.
+    std::string_view beyond;                    ///< Of the limit.
     /// "terms[1].phase.g: 0.995 is outside the envelope of stability, [-0.99, 0.99]: expect ..."
     [[nodiscard]] std::string text() const;
     [[nodiscard]] bool operator==(const OutsideEnvelope&) const = default;

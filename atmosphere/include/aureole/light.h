@@ -25,7 +25,7 @@ class LightTable {
 public:
     /// Columns of the table: nine coefficients of the sky's radiance, then the sun's irradiance.
     static constexpr int coefficient_count = 9;
-    static constexpr int floats_per_sun = 4 * (coefficient_count + 1);
+    static constexpr int floats_per_sun = 4 * (coefficient_count + 1);  ///< Texels are RGBA.
 
     /// The table's texels, RGBA, a row for each of ViewSettings::max_suns. Copied. Error(invalid_argument) unless there are 40
     /// floats for each of 1 to 4 suns, all finite.

@@ -33,7 +33,7 @@ struct ModelTable {
 class Model {
 public:
     virtual ~Model() = default;
-    [[nodiscard]] virtual std::string_view name() const noexcept = 0;
+    [[nodiscard]] virtual std::string_view name() const noexcept = 0;  ///< "aureole", "hillaire", "fog" ...
     /// Settings of the tables, for models that make some of them; else the default ones, of no effect.
     [[nodiscard]] virtual const QualitySettings& quality() const noexcept = 0;
     /// The settings that this air gets: a model may leave out what would make no difference.
@@ -53,7 +53,7 @@ public:
     [[nodiscard]] virtual std::unique_ptr<detail::ModelAir> make_air(detail::AirResources& shared,
                                                                      const AtmosphereParameters& parameters) const = 0;
 };
-using ModelPtr = std::shared_ptr<const Model>;
+using ModelPtr = std::shared_ptr<const Model>;  ///< Models hold settings alone, and are shared.
 
 /// Names of all models, from the cheapest to the dearest.
 [[nodiscard]] std::span<const std::string_view> model_names();

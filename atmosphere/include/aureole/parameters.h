@@ -18,7 +18,7 @@
 
 namespace aureole {
 
-using Rgb = glm::dvec3;
+using Rgb = glm::dvec3;  ///< Scene-linear Rec.709, or one number for each wavelength of three.
 
 // ---- How a term's density changes with altitude. Densities are relative: 1 means the coefficients as stated. ----
 
@@ -39,7 +39,7 @@ struct TabulatedProfile {
     std::vector<double> density;     ///< As many, in [0, 1e6].
     [[nodiscard]] bool operator==(const TabulatedProfile&) const = default;
 };
-using Profile = std::variant<ExponentialProfile, TentProfile, TabulatedProfile>;
+using Profile = std::variant<ExponentialProfile, TentProfile, TabulatedProfile>;  ///< How density changes with altitude.
 
 // ---- Phase functions p(cos theta), 1/sr, each integrating to 1 over the sphere. theta = 0 is forward. ----
 
@@ -73,7 +73,7 @@ struct TabulatedPhase {
     std::vector<double> value;      ///< As many, in [0, 1e100], not all 0. Any scale.
     [[nodiscard]] bool operator==(const TabulatedPhase&) const = default;
 };
-using PhaseFunction =
+/** How a term spreads light over directions. */ using PhaseFunction =
     std::variant<RayleighPhase, HenyeyGreensteinPhase, CornetteShanksPhase, HenyeyGreensteinDrainePhase, TabulatedPhase>;
 
 /// Phase value in 1/sr for cos_theta in [-1, 1]. Evaluated by the kernels' own formula, in double. Throws Error naming what
@@ -85,15 +85,15 @@ using PhaseFunction =
 
 /// One constituent: molecules, an aerosol, an absorber.
 struct DensityTerm {
-    std::string name;  ///< For messages: "rayleigh", "mie", "ozone".
-    Profile profile;
+    std::string name;               ///< For messages: "rayleigh", "mie", "ozone".
+    Profile profile;                ///< Density at each altitude.
     Rgb scattering_per_m{0, 0, 0};  ///< At density 1. In [0, 1e6].
     Rgb absorption_per_m{0, 0, 0};  ///< At density 1. In [0, 1e6].
     PhaseFunction phase;            ///< Unused when scattering is 0.
     /// Artists' factors of the two coefficients, which leave the measured numbers as they are. In [0, 1e6], and the product in
     /// [0, 1e6] too. With exactly 1, nothing changes by a bit.
-    double scattering_scale = 1;
-    double absorption_scale = 1;
+    double scattering_scale = 1;  ///< Artists' factor of scattering_per_m; 1 changes nothing.
+    double absorption_scale = 1;  ///< The same of absorption_per_m.
     [[nodiscard]] bool operator==(const DensityTerm&) const = default;
 };
 
@@ -107,13 +107,13 @@ struct Planet {
 
 /// All that an air is: validated whole, by `validate`.
 struct AtmosphereParameters {
-    Planet planet;
+    Planet planet;  ///< The ground, and where the air ends.
     /// Any number, with at most `max_phase_functions` different scattering phase functions among them (terms with equal phase
     /// functions share). None: an airless body. Kernels take 16; of more, those with equal profiles are added up, and if that
     /// is not enough, sums of terms are tabulated: cost does not grow further.
     std::vector<DensityTerm> terms;
 
-    static constexpr int max_phase_functions = 4;
+    static constexpr int max_phase_functions = 4;  ///< Different ones, among all terms.
     [[nodiscard]] bool operator==(const AtmosphereParameters&) const = default;
 };
 
@@ -131,7 +131,7 @@ struct Sun {
     glm::dvec3 direction{0, 0, 1};         ///< Towards the sun, in the axes of `Camera`. Of any length in [1e-100, 1e100].
     Rgb irradiance{1, 1, 1};               ///< At the top of the atmosphere, on a surface that faces the sun. In [0, 1e20].
     double angular_radius_rad = 0.004675;  ///< In [0, pi/4]. 0: no visible disk.
-    LimbDarkening limb_darkening = LimbDarkening::neckel94;
+    LimbDarkening limb_darkening = LimbDarkening::neckel94;  ///< Of the disk.
     [[nodiscard]] bool operator==(const Sun&) const = default;
 };
 /// Throws Error(invalid_argument) at the first field outside its range.
@@ -141,9 +141,9 @@ void validate(const Sun& sun);
 /// The altitude is finite; below 0 counts as 0, and above the top there is nothing. A term name that occurs nowhere is
 /// rejected.
 struct MediumSample {
-    Rgb scattering_per_m, extinction_per_m;
+    Rgb scattering_per_m, extinction_per_m;  ///< Sums over all terms.
 };
-[[nodiscard]] MediumSample sample_medium(const AtmosphereParameters& parameters, double altitude_m);
+[[nodiscard]] MediumSample sample_medium(const AtmosphereParameters& parameters, double altitude_m);  ///< Of all terms.
 /// Optical depth of the vertical column from the ground to the top, by term name or all of them.
 [[nodiscard]] Rgb vertical_optical_depth(const AtmosphereParameters& parameters);
 [[nodiscard]] Rgb vertical_optical_depth(const AtmosphereParameters& parameters, const std::string& term);

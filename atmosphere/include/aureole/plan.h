@@ -24,7 +24,7 @@ namespace aureole {
 /// From `least` to `most`, both included; one place where they are the same. What it is of says unit and limits; `most` less
 /// than `least`, or no number, is Error(invalid_argument) naming the end, as "altitude_m.most".
 struct PlanRange {
-    double least = 0, most = 0;
+    double least = 0, most = 0;  ///< Both included.
     [[nodiscard]] bool operator==(const PlanRange&) const = default;
 };
 
@@ -80,7 +80,7 @@ struct PlanRequirements {
     /// MiB of tables. In [1e-9, 1e6].
     std::optional<double> budget_mib;
 
-    DeviceSpeed speed;
+    DeviceSpeed speed;  ///< How much slower than the measured one.
 
     [[nodiscard]] bool operator==(const PlanRequirements&) const = default;
 };
@@ -104,9 +104,9 @@ struct PlanError {
 
 /// A setting that was thought of.
 struct PlanCandidate {
-    Setting setting;
-    PlanError error;
-    PlanCost cost;
+    Setting setting;         ///< Which sky.
+    PlanError error;         ///< What it is expected to be wrong by.
+    PlanCost cost;           ///< What it is expected to cost.
     bool tolerable = false;  ///< Meets tolerance and budgets.
     std::string excluded;    ///< Why it cannot be taken at all: "has no shadows"; then the rest is 0. Else empty.
 };
@@ -121,22 +121,22 @@ struct PlanChoice {
 
 /// What to give to Atmosphere and View, and why.
 struct Plan {
-    Setting setting;
+    Setting setting;           ///< Which sky.
     AtmosphereParameters air;  ///< With what is left out left out: to be given to Atmosphere, with `model`.
-    ModelPtr model;
+    ModelPtr model;            ///< The same as `setting` names, made.
     ViewSettings view;  ///< Aerial perspective where it is needed (a host may set it to true where it is not, for geometry
                         ///< that is darker than what was measured), its range, light and suns; shadows as the host sets them.
 
     bool tolerable = false;  ///< False: nothing meets the requirements; this is the most accurate within budgets, or what
                              ///< breaks them least.
-    PlanError error;
+    PlanError error;         ///< What it is expected to be wrong by.
     /// Where PlanRequirements::shadows: upper bound of what shadows in the air err by in 95 of 100 directions, away from the
     /// edges of shadows, as a share of the light that is there without them; in [0, 1]. As PlanError::bound it holds in 95 of
     /// 100 scenes that were not measured. No part of `error`. Most of it is light that was scattered more than once, which is
     /// not shadowed (shadows.md). None where that was not measured.
     std::optional<double> shadows_bound;
-    PlanCost cost;
-    std::vector<PlanChoice> choices;
+    PlanCost cost;                          ///< What it is expected to cost.
+    std::vector<PlanChoice> choices;        ///< Every choice with its reason.
     std::vector<PlanCandidate> candidates;  ///< All, from the cheapest on; those excluded last.
     std::vector<std::string> nearest;       ///< Ids of the measured scenes that the prediction goes by most.
     /// How far the worst of the situations is from what was measured: 0 at a measured scene; 1 as far as one of ten measured

@@ -40,9 +40,9 @@ struct FollowSettings {
 
 /// Something that another plan does otherwise.
 struct PlanChange {
-    std::string what;  ///< As PlanChoice::what.
-    std::string before, after;
-    std::string reason;  ///< Of the new plan.
+    std::string what;           ///< As PlanChoice::what.
+    std::string before, after;  ///< In words.
+    std::string reason;         ///< Of the new plan.
 };
 /// What an update of a planned sky has done.
 struct PlanUpdate {
@@ -103,7 +103,7 @@ public:
     /// textures of the target's size and format for fades, unless FollowSettings::fade_frames is 0: the format must be one that
     /// can be sampled. Before the first update() there is no view to check a texture's use: such an error comes from there.
     void prepare_composite(const CompositeTargets& targets);
-    void release_composite(const CompositeTargets& targets) noexcept;
+    void release_composite(const CompositeTargets& targets) noexcept;  ///< As View::release_composite.
     /// Records the tables of the air and the camera that are due. Before the first update(): nothing.
     void record(rhi::CommandList& commands);
     /// Records the composite; during a fade two of them, and one over the other. Before the first update() nothing but an error
@@ -111,7 +111,7 @@ public:
     void record_composite(rhi::CommandList& commands, const CompositeTargets& targets);
     void invalidate() noexcept;  ///< As Atmosphere's. A fade begins anew.
 
-    [[nodiscard]] PlannedLight light() const noexcept;
+    [[nodiscard]] PlannedLight light() const noexcept;         ///< Which light tables to read, and how to mix them.
     [[nodiscard]] std::uint64_t table_bytes() const noexcept;  ///< Of all skies there are at the moment; 0 before update().
 
 private:

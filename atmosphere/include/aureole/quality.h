@@ -48,9 +48,9 @@ struct QualitySettings {
     rhi::Format table_format = rhi::Format::rgba32_float;
     rhi::Format froxel_format = rhi::Format::rgba16_float;  ///< Aerial perspective: rgba16_ or rgba32_float.
 
-    [[nodiscard]] static QualitySettings low();
+    [[nodiscard]] static QualitySettings low();       ///< "low"
     [[nodiscard]] static QualitySettings standard();  ///< "default"
-    [[nodiscard]] static QualitySettings high();
+    [[nodiscard]] static QualitySettings high();      ///< "high"
     /// So fine that more makes no difference that matters: what remains is the model's own error. For measuring, not for use.
     [[nodiscard]] static QualitySettings converged();
     /// One of quality_names(), or "converged"; anything else throws Error naming them.

@@ -22,12 +22,12 @@ struct Setting {
     std::string spectral = "rgb";        ///< "rgb", or a number of wavelengths as models::wavelengths_by_name takes it.
     std::vector<std::string> without{};  ///< Each a term of the air by its name, or one of simplification_names().
 
-    [[nodiscard]] bool in_rgb() const { return spectral == "rgb"; }
+    [[nodiscard]] bool in_rgb() const { return spectral == "rgb"; }  ///< Not in wavelengths.
     /// "aureole default", "aureole default 4", "aureole default, without ozone and mie"
     [[nodiscard]] std::string id() const;
     /// The id of the same with nothing left out; empty for one of which nothing is.
     [[nodiscard]] std::string baseline() const;
-    [[nodiscard]] bool leaves_out(std::string_view what) const;
+    [[nodiscard]] bool leaves_out(std::string_view what) const;  ///< Whether `without` names it.
     [[nodiscard]] bool operator==(const Setting&) const = default;
 };
 
@@ -48,8 +48,8 @@ void validate(const Setting& setting);
 
 /// A model in an air, ready to be given to an Atmosphere.
 struct Prepared {
-    AtmosphereParameters air;
-    ModelPtr model;
+    AtmosphereParameters air;  ///< Without what is left out of it.
+    ModelPtr model;            ///< To be given to Atmosphere with it.
 };
 /// None where a term is to be left out that the air does not have. Throws as validate does.
 [[nodiscard]] std::optional<Prepared> prepare(const Setting& setting, const AtmosphereParameters& air);

@@ -19,7 +19,7 @@ namespace aureole {
 
 /// How a View samples shadows.
 struct ShadowSettings {
-    static constexpr std::uint32_t max_cascades = 4;
+    static constexpr std::uint32_t max_cascades = 4;  ///< Of a host's map.
 
     std::uint32_t cascades = 0;    ///< In the map, in [0, 4]. 0: no shadows, no pass, the same bits as ever.
     double distance_m = 8000;      ///< Beyond it all air is lit; shadows on the bare ground reach as far as the

@@ -17,7 +17,7 @@
 
 namespace aureole::spectrum {
 
-inline constexpr double first_nm = 360, last_nm = 830;
+inline constexpr double first_nm = 360, last_nm = 830;  ///< Wavelengths that the tables cover.
 
 // ---- Tables. At a wavelength: linear between bin centres or samples. Of a band: the mean over it, from whole bins. ----
 
@@ -63,7 +63,7 @@ struct Bands {
 /// Between XYZ and linear Rec.709 (ITU-R BT.709 primaries, white D65 at x 0.3127, y 0.3290). Any finite values; colours outside
 /// the gamut have negative parts.
 [[nodiscard]] Rgb rec709_from_xyz(const glm::dvec3& xyz);
-[[nodiscard]] glm::dvec3 xyz_from_rec709(const Rgb& rgb);
+[[nodiscard]] glm::dvec3 xyz_from_rec709(const Rgb& rgb);  ///< The inverse.
 /// XYZ of Rec.709's white (1, 1, 1): D65 with y = 1.
 [[nodiscard]] glm::dvec3 white_d65();
 
@@ -77,8 +77,8 @@ struct Bands {
 /// Wavelengths to render, and how they add up: linear Rec.709 in cd/m^2 = sum of to_rec709[i] x (radiance at nm[i] per unit of
 /// solar irradiance). The sun's spectrum, the observer and 683 lm/W are in the weights.
 struct Wavelengths {
-    std::vector<double> nm;
-    std::vector<Rgb> to_rec709;
+    std::vector<double> nm;      ///< Their wavelengths.
+    std::vector<Rgb> to_rec709;  ///< Weight of each in red, green and blue.
 };
 /// Centres of n equal bins over 380-780 nm. n in [1, 400]. Forty are the tables' own bins.
 [[nodiscard]] Wavelengths equal_bins(int n);
@@ -88,8 +88,8 @@ struct Wavelengths {
 
 /// Three of them, as a model renders them: nm for r, g and b, and rgb = to_rec709 * radiance.
 struct Triplet {
-    std::array<double, 3> nm;
-    glm::dmat3 to_rec709;
+    std::array<double, 3> nm;  ///< Their wavelengths.
+    glm::dmat3 to_rec709;      ///< From radiance at the three to scene-linear Rec.709.
 };
 /// All of them in order. Where the last triplet has places left over, they repeat its last wavelength with weight 0.
 [[nodiscard]] std::vector<Triplet> triplets(const Wavelengths& wavelengths);

@@ -33,11 +33,11 @@ struct BrunetonSettings {
     bool combined = false;
     rhi::Format format = rhi::Format::rgba16_float;  ///< Of the 4D tables: rgba16_ or rgba32_float.
 
-    BrunetonSampling sampling = BrunetonSampling::gauss;
-    int transmittance_nodes = 10;  ///< Gauss nodes of a ray to the top, in [2, 16]. Of both samplings.
-    int ray_nodes = 8;             ///< Gauss nodes a piece of ray, in [2, 16]. Ignored by `published`, as the next two.
-    int zenith_nodes = 6;          ///< Directions on each side of the horizon, in [2, 16].
-    int azimuth_nodes = 8;         ///< Directions on a half circle, in [2, 16].
+    BrunetonSampling sampling = BrunetonSampling::gauss;  ///< How its integrals are summed.
+    int transmittance_nodes = 10;                         ///< Gauss nodes of a ray to the top, in [2, 16]. Of both samplings.
+    int ray_nodes = 8;      ///< Gauss nodes a piece of ray, in [2, 16]. Ignored by `published`, as the next two.
+    int zenith_nodes = 6;   ///< Directions on each side of the horizon, in [2, 16].
+    int azimuth_nodes = 8;  ///< Directions on a half circle, in [2, 16].
 
     /// The lowest sun that is told from lower ones, as a zenith angle in degrees, in [91, 120]. Air whose top sees a lower sun
     /// is given that one.

@@ -19,8 +19,8 @@ struct FogSettings {
         infinity,  ///< Nowhere: the sky is the fog's own colour, and neither sun nor stars come through. For a camera above the
                    ///< air: as top_of_air.
     };
-    Mode mode = Mode::in_scatter;
-    Sky sky = Sky::top_of_air;
+    Mode mode = Mode::in_scatter;  ///< What fog adds.
+    Sky sky = Sky::top_of_air;     ///< Where a ray that meets nothing ends.
     /// C, one_colour alone: radiance of endless fog per unit of irradiance, summed over the suns as they are above the air:
     /// 1/sr. Each channel in [0, 1e6].
     Rgb colour{0.05, 0.06, 0.07};
@@ -37,6 +37,6 @@ struct FogSettings {
 /// Throws Error(invalid_argument) at the first field outside its range.
 void validate(const FogSettings& settings);
 
-[[nodiscard]] ModelPtr fog(const FogSettings& settings = {});
+[[nodiscard]] ModelPtr fog(const FogSettings& settings = {});  ///< Closed-form fog. Throws Error naming a setting out of range.
 
 }  // namespace aureole::models

@@ -16,7 +16,7 @@ struct ReferenceSettings {
         radiance,
         standard_error,  ///< Of the radiance that the same settings give, before CompositeSettings: 0 where nothing is random.
     };
-    Show show = Show::radiance;
+    Show show = Show::radiance;  ///< What the composite shows.
 
     /// How transmittances are found.
     enum class Tracking : std::uint8_t {
@@ -25,7 +25,7 @@ struct ReferenceSettings {
                      ///< (but for the light table's), whatever sampled_first_order says. The sun's disk, and what else lies
                      ///< beyond the air, is seen through transmittances by nodes as before.
     };
-    Tracking tracking = Tracking::quadrature;
+    Tracking tracking = Tracking::quadrature;  ///< How transmittances are found.
 
     /// Paths of a pixel in each composite, and of a texel of the film in each View::record until it has max_paths. In [0,
     /// 65536]: with 0 only what is known without paths is shown. The film takes them 32 at a time (8 with Tracking::ratio); a

@@ -10,12 +10,12 @@ namespace aureole::models {
 /// A value out of range is Error(invalid_argument) from `validate` and `single_lut`; a table that the device cannot hold is
 /// Error(unsupported) from the constructor of Atmosphere or View.
 struct SingleLutSettings {
-    Steps steps = Steps::gauss;
+    Steps steps = Steps::gauss;     ///< Where its nodes are.
     int view_steps = 8;             ///< As SingleSettings::view_steps.
     rhi::Extent table{128, 32, 1};  ///< Optical depth: sun zenith x altitude nodes, each in [2, 4096]; depth is 1.
     int table_nodes = 8;            ///< Gauss nodes a ray of the table, in [2, 16].
     rhi::Format table_format = rhi::Format::rgba32_float;  ///< rgba16_float or rgba32_float.
-    Dome dome;
+    Dome dome;                                             ///< A table of the sky, if any.
 
     /// "low": a dome of 24 x 64 vertices, 6 nodes, table 64 x 16. "default": each pixel, 8 nodes, table 128 x 32. "high": each
     /// pixel, 12 nodes, table 256 x 64. "converged": 16 nodes, table 1024 x 256. Anything else: Error(invalid_argument).

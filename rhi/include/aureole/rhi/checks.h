@@ -15,9 +15,9 @@ void check(const TextureDesc& desc, const Capabilities& capabilities, const Form
 /// A texture that a host lends: its descriptor, and the state it is lent in (see ExternalTexture::state). What stands for the
 /// host's object (`native`, `cpu_texels`) is the backend's to check.
 void check(const ExternalTexture& external, const Capabilities& capabilities, const FormatSupport& support);
-void check(const BufferDesc& desc);
-void check(const SamplerDesc& desc);
-void check(const ComputePipelineDesc& desc, const Capabilities& capabilities);
+void check(const BufferDesc& desc);                                             ///< Size and usage.
+void check(const SamplerDesc& desc);                                            ///< Values that the enumerations have.
+void check(const ComputePipelineDesc& desc, const Capabilities& capabilities);  ///< Its shader and constants.
 /// `support` is the device's answer for the 2D target format.
 void check(const RasterPipelineDesc& desc, const Capabilities& capabilities, const FormatSupport& support);
 
@@ -25,9 +25,9 @@ void check(const RasterPipelineDesc& desc, const Capabilities& capabilities, con
 class ObjectLookup {
 public:
     virtual ~ObjectLookup() = default;
-    [[nodiscard]] virtual const TextureDesc* find(Texture texture) const = 0;
-    [[nodiscard]] virtual const BufferDesc* find(Buffer buffer) const = 0;
-    [[nodiscard]] virtual const SamplerDesc* find(Sampler sampler) const = 0;
+    [[nodiscard]] virtual const TextureDesc* find(Texture texture) const = 0;  ///< Of a texture, lent ones included.
+    [[nodiscard]] virtual const BufferDesc* find(Buffer buffer) const = 0;     ///< Of a buffer.
+    [[nodiscard]] virtual const SamplerDesc* find(Sampler sampler) const = 0;  ///< Of a sampler.
 };
 
 /// Every slot of the shader filled once with a live object of the right kind, dimension and usage, and nothing else given.
@@ -39,13 +39,13 @@ void check(const BindingSetDesc& desc, const Shader& shader, const ObjectLookup&
 
 /// What a device remembers of a pipeline for the checks below.
 struct PipelineFacts {
-    std::string_view name;
-    const Shader* shader = nullptr;
+    std::string_view name;                     ///< For messages.
+    const Shader* shader = nullptr;            ///< That it was made from.
     Format target_format = Format::undefined;  ///< Of raster pipelines.
 };
 /// What it remembers of a binding set.
 struct BindingSetFacts {
-    std::string_view name;
+    std::string_view name;           ///< For messages.
     const Shader* shader = nullptr;  ///< Of the pipeline that the set was made for.
 };
 
@@ -54,7 +54,7 @@ struct BindingSetFacts {
 /// Null `target`: unknown or destroyed.
 [[nodiscard]] std::string complaint(const DrawDesc& desc, const PipelineFacts* pipeline, const BindingSetFacts* bindings,
                                     const TextureDesc* target);
-[[nodiscard]] std::string complaint(const CopyDesc& desc, const ObjectLookup& objects);
+[[nodiscard]] std::string complaint(const CopyDesc& desc, const ObjectLookup& objects);  ///< For copy.
 /// For update_constants.
 [[nodiscard]] std::string complaint(const BufferDesc* buffer, std::span<const std::byte> bytes);
 

@@ -32,7 +32,7 @@ public:
     /// given (printed), `allowed` the accepted range or set in words ("finite, > 0").
     Error(ErrorCode code, std::string_view field, std::string_view value, std::string_view allowed);
 
-    [[nodiscard]] ErrorCode code() const noexcept { return code_; }
+    [[nodiscard]] ErrorCode code() const noexcept { return code_; }                 ///< What kind of failure.
     [[nodiscard]] const std::string& field() const noexcept { return field_; }      ///< Empty if not about one field.
     [[nodiscard]] const std::string& value() const noexcept { return value_; }      ///< Empty if not about one field.
     [[nodiscard]] const std::string& allowed() const noexcept { return allowed_; }  ///< Empty if not about one field.

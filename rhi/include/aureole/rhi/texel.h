@@ -19,15 +19,15 @@ namespace aureole::rhi {
 /// One texel. `packed` has bytes_per_texel(format) bytes. Does nothing for Format::undefined.
 void decode_texel(Format format, const std::byte* packed, float rgba[4]) noexcept;
 void decode_texel(Format format, const std::byte* packed, double rgba[4]) noexcept;
-void encode_texel(Format format, const float rgba[4], std::byte* packed) noexcept;
-void encode_texel(Format format, const double rgba[4], std::byte* packed) noexcept;
+void encode_texel(Format format, const float rgba[4], std::byte* packed) noexcept;   ///< The same, back.
+void encode_texel(Format format, const double rgba[4], std::byte* packed) noexcept;  ///< The same, back.
 
 /// Many texels: `rgba` holds four numbers for every texel of `packed`. Throws Error(invalid_argument) if the sizes do not
 /// agree or the format is undefined; nothing is written then.
 void decode_texels(Format format, std::span<const std::byte> packed, std::span<float> rgba);
 void decode_texels(Format format, std::span<const std::byte> packed, std::span<double> rgba);
-void encode_texels(Format format, std::span<const float> rgba, std::span<std::byte> packed);
-void encode_texels(Format format, std::span<const double> rgba, std::span<std::byte> packed);
+void encode_texels(Format format, std::span<const float> rgba, std::span<std::byte> packed);   ///< The same, back.
+void encode_texels(Format format, std::span<const double> rgba, std::span<std::byte> packed);  ///< The same, back.
 
 /// Rounds one texel to what `format` stores: encodes and decodes it.
 void quantize(Format format, float rgba[4]) noexcept;

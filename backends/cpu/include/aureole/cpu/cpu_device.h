@@ -18,7 +18,7 @@ enum class Precision : std::uint8_t {
 
 /// How a CPU device works.
 struct CpuDeviceDesc {
-    Precision precision = Precision::float32;
+    Precision precision = Precision::float32;  ///< Of all arithmetic.
     unsigned threads = 0;     ///< 1 to 1024, but no more than the process may use; 0: all. Results do not depend on it.
     bool count_work = false;  ///< Fill CpuDevice::work(). Costs a few percent.
 };
@@ -42,10 +42,10 @@ class CpuDevice {
 public:
     virtual ~CpuDevice() = default;
 
-    [[nodiscard]] virtual rhi::Device& device() noexcept = 0;
-    [[nodiscard]] virtual rhi::Queue& queue() noexcept = 0;
-    [[nodiscard]] virtual Precision precision() const noexcept = 0;
-    [[nodiscard]] virtual unsigned threads() const noexcept = 0;
+    [[nodiscard]] virtual rhi::Device& device() noexcept = 0;        ///< For Atmosphere and textures.
+    [[nodiscard]] virtual rhi::Queue& queue() noexcept = 0;          ///< Records and runs command lists.
+    [[nodiscard]] virtual Precision precision() const noexcept = 0;  ///< As it was made with.
+    [[nodiscard]] virtual unsigned threads() const noexcept = 0;     ///< That run kernels.
 
     /// All texels as RGBA (linear, missing channels 0, alpha 1), row by row, slice by slice, face by face. With
     /// Precision::float64 nothing is rounded. Throws Error(invalid_argument) for an unknown texture.
@@ -53,7 +53,7 @@ public:
 
     /// Per pipeline name, in alphabetical order; empty unless count_work was asked for.
     [[nodiscard]] virtual std::vector<PipelineWork> work() const = 0;
-    virtual void reset_work() = 0;
+    virtual void reset_work() = 0;  ///< Counts begin at 0 again.
 };
 
 /// Throws Error(invalid_argument) for more than 1024 threads, Error(out_of_memory).

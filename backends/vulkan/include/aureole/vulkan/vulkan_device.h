@@ -55,24 +55,24 @@ struct VulkanDeviceDesc {
     bool validation = false;
     /// Messages from the very start; later rhi::Device::set_message_callback replaces it. Null: silent.
     rhi::MessageCallback message_callback = nullptr;
-    void* message_user = nullptr;
+    void* message_user = nullptr;  ///< Given to the callback.
     /// Entry point of the Vulkan loader to use; null opens the system's (libvulkan.so.1).
     PFN_vkGetInstanceProcAddr loader = nullptr;
 };
 
 /// Native objects of a device, for programs that add Vulkan work of their own. Owned by the device.
 struct VulkanHandles {
-    VkInstance instance = VK_NULL_HANDLE;
-    VkPhysicalDevice physical_device = VK_NULL_HANDLE;
-    VkDevice device = VK_NULL_HANDLE;
-    VkQueue queue = VK_NULL_HANDLE;
-    std::uint32_t queue_family = 0;
+    VkInstance instance = VK_NULL_HANDLE;               ///< Of Vulkan 1.1 at least.
+    VkPhysicalDevice physical_device = VK_NULL_HANDLE;  ///< That the device was made of.
+    VkDevice device = VK_NULL_HANDLE;                   ///< The logical device.
+    VkQueue queue = VK_NULL_HANDLE;                     ///< That submits what is recorded.
+    std::uint32_t queue_family = 0;                     ///< Of the queue.
 };
 
 /// What a host puts into descriptor sets of its own to sample a texture of Aureole's. Owned by the device and valid until the
 /// texture is destroyed (and its last frame collected); a texture that the host lent stays the host's.
 struct NativeTexture {
-    VkImage image = VK_NULL_HANDLE;
+    VkImage image = VK_NULL_HANDLE;  ///< The texture's.
     /// All of it, as shaders declare it (2D, 3D, cube); null if the texture was made without rhi::Usage::sampled.
     VkImageView sampled_view = VK_NULL_HANDLE;
     /// The layout that the image has in rhi::State::sampled, for VkDescriptorImageInfo::imageLayout. The barrier into that
@@ -86,9 +86,9 @@ struct NativeTexture {
 class VulkanDevice {
 public:
     virtual ~VulkanDevice() = default;
-    [[nodiscard]] virtual rhi::Device& device() = 0;
-    [[nodiscard]] virtual rhi::Queue& queue() = 0;
-    [[nodiscard]] virtual VulkanHandles handles() const = 0;
+    [[nodiscard]] virtual rhi::Device& device() = 0;          ///< For Atmosphere and textures.
+    [[nodiscard]] virtual rhi::Queue& queue() = 0;            ///< Records and runs command lists.
+    [[nodiscard]] virtual VulkanHandles handles() const = 0;  ///< For a program that uses the device beside Aureole.
 
     /// The objects behind a handle of this device, for descriptor sets of the caller's own. Error(invalid_argument) for a null,
     /// unknown or destroyed handle.
@@ -104,9 +104,9 @@ public:
 
 /// A host's device. Everything stays the host's and must outlive the guest.
 struct BorrowedVulkan {
-    VkInstance instance = VK_NULL_HANDLE;
-    VkPhysicalDevice physical_device = VK_NULL_HANDLE;
-    VkDevice device = VK_NULL_HANDLE;
+    VkInstance instance = VK_NULL_HANDLE;               ///< Of Vulkan 1.1 at least.
+    VkPhysicalDevice physical_device = VK_NULL_HANDLE;  ///< That the device was made of.
+    VkDevice device = VK_NULL_HANDLE;                   ///< The logical device.
     /// The entry point with which the host made `instance`; functions are looked up through it alone.
     PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;
     /// VkApplicationInfo::apiVersion of the instance: at least VK_API_VERSION_1_1.
@@ -132,7 +132,7 @@ struct BorrowedVulkan {
 class BorrowedVulkanDevice {
 public:
     virtual ~BorrowedVulkanDevice() = default;
-    [[nodiscard]] virtual rhi::Device& device() = 0;
+    [[nodiscard]] virtual rhi::Device& device() = 0;  ///< For Atmosphere and textures.
 
     /// Starts one recording into a command buffer of the host, which is in the recording state, outside of a render pass,
     /// primary, and goes to a queue of `queue_family`: BorrowedVulkan's, where that is VK_QUEUE_FAMILY_IGNORED, or its second

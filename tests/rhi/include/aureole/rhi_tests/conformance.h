@@ -30,7 +30,7 @@ namespace aureole::conformance {
 
 /// The device to be checked. Device and queue outlive every run.
 struct Target {
-    rhi::Device& device;
+    rhi::Device& device;  ///< The device.
     /// Records and runs a list of the device: for a host with a frame loop a few lines (docs/conformance.md). Frame numbers
     /// (Queue::submit) are those that the device's objects are destroyed by.
     rhi::Queue& queue;
@@ -47,18 +47,19 @@ struct Target {
     double pass_tolerance = 1e-2;
 };
 
+/// How a check ended.
 enum class Outcome : std::uint8_t {
-    passed,
-    failed,
+    passed,   ///< All is as it should be.
+    failed,   ///< Something is not: Result::failures.
     skipped,  ///< The device, or the target, has nothing that the check could try. No failure.
 };
-[[nodiscard]] const char* to_string(Outcome outcome) noexcept;
+[[nodiscard]] const char* to_string(Outcome outcome) noexcept;  ///< As written here.
 
 /// What one check found.
 struct Result {
-    std::string name;  ///< Of the check.
-    Outcome outcome = Outcome::passed;
-    std::string reason;  ///< Why it was skipped; else empty.
+    std::string name;                   ///< Of the check.
+    Outcome outcome = Outcome::passed;  ///< How it ended.
+    std::string reason;                 ///< Why it was skipped; else empty.
     std::vector<std::string>
         failures;                    ///< What was wrong: where, what came, what was wanted. The first 12, then how many more.
     std::vector<std::string> notes;  ///< What was not tried, because the device says it cannot do it; figures.
@@ -67,14 +68,16 @@ struct Result {
     [[nodiscard]] std::string text() const;
 };
 
+/// What a check is about.
 enum class Subject : std::uint8_t {
     device,  ///< What rhi::Device, CommandList and Queue promise: functions, formats, filters, barriers.
     passes,  ///< What follows: the passes of the model `aureole` on this device, against the CPU backend.
 };
 
+/// One check of the kit: something that every device must do.
 struct Check {
-    const char* name;  ///< Stays the same from version to version; new ones may come.
-    Subject subject;
+    const char* name;             ///< Stays the same from version to version; new ones may come.
+    Subject subject;              ///< What it is about.
     void (*body)(const Target&);  ///< For run().
 
     /// Never throws: what the device throws is a failure. Its message callback is left as it was set last or empty.
@@ -85,9 +88,10 @@ struct Check {
 /// By its whole name. Throws Error(invalid_argument) naming "check" for one that there is not.
 [[nodiscard]] const Check& check_by_name(std::string_view name);
 
+/// What a run of several checks found.
 struct Report {
-    std::vector<Result> results;
-    [[nodiscard]] std::size_t count(Outcome outcome) const noexcept;
+    std::vector<Result> results;                                      ///< In the order of running.
+    [[nodiscard]] std::size_t count(Outcome outcome) const noexcept;  ///< How many ended so.
     /// Something ran, and none failed.
     [[nodiscard]] bool passed() const noexcept;
     /// Every result's text, and the counts.

@@ -1,5 +1,6 @@
 #include "compare.h"
 
+#include "common/scene_settings.h"
 #include "sky.h"
 #include "terrain/height_field.h"
 #include "terrain/pixel_rays.h"
@@ -41,7 +42,7 @@ public:
     Reference(const app::Scene& scene, rhi::Extent extent)
         : extent_(extent),
           air_(device(), scene.atmosphere, scene.model.make()),
-          view_(air_, view_settings(scene), composite(scene)) {}
+          view_(air_, app::view_settings(scene, true), composite(scene)) {}
 
     std::vector<float> picture(const Camera& camera, const std::vector<Sun>& suns, std::vector<float>& color,
                                std::vector<float>& depth) {

@@ -32,7 +32,7 @@ struct Options {
     std::filesystem::path scene, screenshot;
     std::string size = "1280x720";
     std::uint32_t frames = 0;
-    bool compare = false;
+    bool compare = false, dive = false;
 };
 
 class Program {
@@ -66,7 +66,7 @@ public:
         for (std::uint32_t frame = 0; options_.frames == 0 || frame < options_.frames + light_is_late; ++frame) {
             const Steering steering = window_.steer();
             if (steering.quit) break;
-            steer(steering);
+            steer(options_.dive ? down() : steering);
             // Reading a picture back makes the device wait: at a window seldom, but in each of a few frames without one.
             if (!scene_.exposure.factor && frame > 0 && (options_.frames != 0 || frame % frames_a_metering == 0)) meter();
             draw();
@@ -80,6 +80,13 @@ public:
         std::printf("Aureole's part of the last frame: %.2f ms\n", sky_->milliseconds());
     }
 
+    /// Camera and land, for who wants to know whether one is above the other.
+    void check_clearance() const {
+        const double above = clearance_m();
+        std::printf("the camera is %.2f m above the land\n", above);
+        if (!(above >= 0.99 * least_clearance_m)) throw Error(ErrorCode::internal, "the camera is inside the land");
+    }
+
     void compare() const {
         const Comparison comparison = ogre::compare(engine_, scene_, altitude_m_);
         std::printf("%s\n", comparison.text().c_str());
@@ -89,6 +96,20 @@ public:
 
 private:
     Ogre::SceneNode& eye() { return *engine_.camera().getParentSceneNode(); }
+
+    /// Far ahead and down in every frame.
+    static Steering down() {
+        Steering steering;
+        steering.forward_m = 900;
+        steering.up_m = -500;
+        return steering;
+    }
+
+    /// Height above the land below the camera, along the vertical of where it is, on a round planet.
+    [[nodiscard]] double clearance_m() const {
+        const glm::dvec3 place = axes_.to_scene(position_);
+        return glm::length(place) - scene_.atmosphere.planet.bottom_radius_m - land_.land->ground_m(place);
+    }
 
     void steer(const Steering& steering) {
         pose_.bearing_deg += steering.turn_right / degree;
@@ -104,12 +125,10 @@ private:
         eye().setDirection(to_ogre(forward), Ogre::Node::TS_WORLD);
     }
 
-    /// Along the vertical of where the camera is, on a round planet.
     void stay_above_land() {
-        const glm::dvec3 place = axes_.to_scene(position_);
-        const double above = glm::length(place) - scene_.atmosphere.planet.bottom_radius_m - land_.land->ground_m(place);
-        if (above >= least_clearance_m) return;
-        position_ += (least_clearance_m - above) * Axes::direction(glm::normalize(place));
+        const double above = clearance_m();
+        if (above < least_clearance_m)
+            position_ += (least_clearance_m - above) * Axes::direction(glm::normalize(axes_.to_scene(position_)));
     }
 
     /// What the meter (app/meter.h) says of the picture of the frame before: every fourth pixel of every fourth row.
@@ -157,6 +176,7 @@ void run(const Options& options) {
     Program program(options, scene);
     program.run();
     if (options.compare) program.compare();
+    if (options.dive) program.check_clearance();
 }
 
 int main(int argc, char** argv) {
@@ -171,6 +191,8 @@ int main(int argc, char** argv) {
     app.add_option("--screenshot", options.screenshot, "PNG file of the last frame")->needs(frames);
     app.add_flag("--compare", options.compare,
                  "Compare the last frame with the CPU backend's; a difference makes the program fail")
+        ->needs(frames);
+    app.add_flag("--dive", options.dive, "Fly ahead and down into the land; a camera inside it makes the program fail")
         ->needs(frames);
     CLI11_PARSE(app, argc, argv);
     try {

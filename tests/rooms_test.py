@@ -35,6 +35,7 @@ RULES = [
     ('backends', r'(?i)rayleigh|ozone|sky_view|transmittance', False, 'a backend knows about skies'),
     ('backends', r'#\s*include\s*[<"]aureole/(?!rhi/|cpu/|vulkan/)', False, 'a backend includes the atmosphere'),
     ('samples/viewer/core', r'\bVk[A-Z]\w*|glfw|imgui|vulkan/', True, "the viewer's core knows a window"),
+    ('samples/common', r'(?i)glfw|imgui|\bOgre|volk\.h|#\s*include\s*"(viewer|host_vulkan|ogre|app)/', True, 'what the samples share knows one of them'),
     ('', LATER, True, 'work left for later'),
     ('', r'^(?!.*(scale\(|Approx\(0\))).*\)\.epsilon\(', True, "doctest's Approx adds 1 to the value: give it .scale(1e-300)"),
 ]
@@ -77,7 +78,7 @@ OFFENDERS = [
     ('backends/cpu/a.cpp', 'float ozone;'), ('backends/cpu/b.cpp', '#include <aureole/atmosphere.h>'),
     ('rhi/d.h', '#include <epoxy/gl.h>'), ('rhi/e.h', '// As OpenGL has it.'), ('rhi/f_test.cpp', 'bool vulkan;'), ('atmosphere/d.cpp', '#include <GL/gl.h>'),
     ('samples/ogre/gl/a.cpp', '#include <aureole/atmosphere.h>'), ('samples/ogre/gl/b.cpp', '#include "app/frame.h"'),
-    ('samples/viewer/core/a_test.cpp', '#include <imgui.h>'), ('result.csv', '1'), ('tests/b_test.cpp', 'CHECK(a == doctest::Approx(1e-3).epsilon(0.01));'), ('samples/a.cpp', '// ' + LATER.split('|')[0]), ('samples/long.cpp', '\n' * (MAX_LINES + 1)),
+    ('samples/viewer/core/a_test.cpp', '#include <imgui.h>'), ('samples/common/a.h', '#include "viewer/core/state.h"'), ('samples/common/b.h', '#include <imgui.h>'), ('result.csv', '1'), ('tests/b_test.cpp', 'CHECK(a == doctest::Approx(1e-3).epsilon(0.01));'), ('samples/a.cpp', '// ' + LATER.split('|')[0]), ('samples/long.cpp', '\n' * (MAX_LINES + 1)),
     ('tests/long_test.py', '\n' * (MAX_LINES + 1)),
 ]
 LAWFUL = [('rhi/c.h', '#include <aureole/rhi/types.h>'), ('rhi/g.glsl', 'gl_FragCoord.xy'), ('backends/cpu/c_test.cpp', 'float ozone;'),

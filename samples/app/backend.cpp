@@ -217,6 +217,10 @@ std::vector<double> DeviceTextures::read_doubles(rhi::Texture texture, std::size
     return {values.begin(), values.end()};
 }
 
+LightTable DeviceTextures::read_light(const View& view, std::size_t max_suns) {
+    return LightTable(read_floats(view.light_table(), LightTable::floats_per_sun * max_suns, rhi::State::sampled));
+}
+
 std::vector<std::uint8_t> DeviceTextures::read_bytes(rhi::Texture texture, std::size_t count, rhi::State state) {
     std::vector<std::uint8_t> values(count);
     read(texture, std::as_writable_bytes(std::span(values)), state);

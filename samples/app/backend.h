@@ -1,7 +1,9 @@
 // A device to run on, whichever it is, and the little that a program without a frame loop needs around it.
 #pragma once
 
+#include <aureole/atmosphere.h>
 #include <aureole/cpu/cpu_device.h>
+#include <aureole/light.h>
 #include <aureole/rhi/device.h>
 
 #include <cstddef>
@@ -82,6 +84,8 @@ public:
     [[nodiscard]] std::vector<float> read_floats(rhi::Texture texture, std::size_t count, rhi::State state);
     /// The same, unrounded where the device is in double precision.
     [[nodiscard]] std::vector<double> read_doubles(rhi::Texture texture, std::size_t count, rhi::State state);
+    /// A view's light table, recorded with so many suns at most (ViewSettings::max_suns).
+    [[nodiscard]] LightTable read_light(const View& view, std::size_t max_suns);
     [[nodiscard]] std::vector<std::uint8_t> read_bytes(rhi::Texture texture, std::size_t count, rhi::State state);
 
 private:

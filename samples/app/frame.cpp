@@ -2,6 +2,7 @@
 
 #include "app/meter.h"
 #include "app/solution.h"
+#include "common/scene_settings.h"
 
 #include <spdlog/spdlog.h>
 #include <algorithm>
@@ -39,21 +40,6 @@ void check_size(const FrameOptions& options, std::uint32_t most, bool film) {
     throw Error(ErrorCode::unsupported, "--size " + given + " with --samples " + std::to_string(options.samples),
                 "a composite of " + std::to_string(width) + "x" + std::to_string(height),
                 "at most " + std::to_string(most) + " pixels a side on this device; fewer samples or a smaller size");
-}
-
-ViewSettings view_settings(const Scene& scene, bool land) {
-    ViewSettings settings;
-    settings.projection = scene.camera.projection;
-    settings.max_suns = static_cast<std::uint32_t>(std::max<std::size_t>(scene.suns.size(), 1));
-    settings.aerial_perspective = land;
-    settings.aerial_perspective_distance_m = scene.aerial_perspective_distance_m;
-    settings.light = false;
-    if (land && scene.terrain->air_shadows_m > 0 && !scene.suns.empty()) {
-        settings.shadows.cascades = TerrainShadows::cascades;
-        settings.shadows.distance_m = scene.terrain->air_shadows_m;
-        settings.shadows.size = {96, 64, 42};
-    }
-    return settings;
 }
 
 }  // namespace
@@ -200,15 +186,12 @@ FrameRenderer::FrameRenderer(Backend& backend, const Scene& scene, const Land* l
 }
 
 void FrameRenderer::make_targets() {
-    CompositeSettings composite;
-    composite.scene_color = composite.scene_depth = land_ != nullptr;
-    ViewSettings settings = view_settings(scene_, land_ != nullptr);
+    ViewSettings settings = view_settings(scene_, land_ != nullptr, land_ ? TerrainShadows::cascades : 0);
+    settings.light = false;
     settings.aerial_perspective = settings.aerial_perspective && options_.aerial_perspective;
 
-    CompositeSettings shown = composite;
+    CompositeSettings shown = composite_settings(scene_, land_ != nullptr);
     shown.raster = options_.raster;
-    shown.sun_disk = scene_.sun_disk;
-    shown.sun_lobe_g = scene_.sun_lobe_g;
     CompositeSettings linear = shown;
     linear.target_format = rhi::Format::rgba32_float;
     shown.target_format = rhi::Format::rgba8_unorm;
@@ -231,8 +214,9 @@ void FrameRenderer::make_targets() {
     if (averaged() && !options_.linear) display_ = std::make_unique<Display>(backend_, scene_, shown, extent);
 
     if (!options_.linear && !scene_.exposure.factor) {
-        CompositeSettings metered = composite;
+        CompositeSettings metered = composite_settings(scene_, land_ != nullptr);
         metered.sun_disk = false;
+        metered.sun_lobe_g = 0;
         metered.target_format = rhi::Format::rgba32_float;
         meter_ = std::make_unique<Target>(backend_, air_, settings, metered, meter_extent(options_.width, options_.height));
     }
@@ -361,6 +345,17 @@ Frame FrameRenderer::render(const std::vector<Sun>& suns, std::uint64_t number, 
     frame.passes.assign(air().reports().begin(), air().reports().end());
     frame.passes.insert(frame.passes.end(), target.view.reports().begin(), target.view.reports().end());
     return frame;
+}
+
+double exposure_of(const Scene& scene, std::uint32_t width, std::uint32_t height) {
+    if (scene.exposure.factor) return *scene.exposure.factor * std::exp2(scene.exposure.stops);
+    const std::unique_ptr<Backend> backend = open_backend({.name = "cpu"});
+    std::optional<Land> land;
+    if (scene.terrain) land.emplace(scene, scene.terrain->height_map);
+    const rhi::Extent small = meter_extent(width, height);
+    FrameOptions options{.width = small.width, .height = small.height};
+    options.warm_up = false;
+    return FrameRenderer(*backend, scene, land ? &*land : nullptr, options).render(suns_of(scene)).exposure;
 }
 
 }  // namespace aureole::app

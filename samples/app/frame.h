@@ -86,6 +86,10 @@ private:
     bool warm_ = false;
 };
 
+/// Exposure of a picture of this shape, stops included: the scene's own factor, or the meter's (meter.h), by a small picture on
+/// the CPU backend: what FrameRenderer would expose it with.
+[[nodiscard]] double exposure_of(const Scene& scene, std::uint32_t width, std::uint32_t height);
+
 /// Averages blocks of samples by samples. Sums of 8-bit values are rounded by an ordered pattern, so that averaging does not
 /// undo the dither.
 [[nodiscard]] DisplayImage downsample(std::span<const std::uint8_t> rgba, std::uint32_t width, std::uint32_t height,

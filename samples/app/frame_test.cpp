@@ -102,6 +102,20 @@ TEST_CASE("exposure, stops and automatic exposure") {
     CHECK(exposure("exposure_stops = -1") == doctest::Approx(automatic / 2));
 }
 
+TEST_CASE("exposure_of: what a picture of that shape is exposed with, by whichever program") {
+    const auto backend = open_backend({.name = "cpu"});
+    Scene scene = read_scene(std::filesystem::path(AUREOLE_SCENES) / "golden_hour.toml");
+    scene.model.quality = "low";
+    scene.exposure = {std::nullopt, 0.5};
+    FrameOptions options;
+    options.width = 320;
+    options.height = 180;
+    const double drawn = FrameRenderer(*backend, scene, nullptr, options).render(suns_of(scene)).exposure;
+    CHECK(exposure_of(scene, 320, 180) == doctest::Approx(drawn).scale(1e-300).epsilon(1e-6));
+    scene.exposure = {8, -1};
+    CHECK(exposure_of(scene, 320, 180) == 4);
+}
+
 TEST_CASE("sizes: long pictures are metered like others, and a composite that is too large is named by its options") {
     const auto backend = open_backend({.name = "cpu"});
     const auto exposure = [&](std::uint32_t width, std::uint32_t height, std::uint32_t samples) {

@@ -10,16 +10,13 @@ namespace aureole::app {
 namespace {
 
 std::vector<LightRow> read_light(Backend& backend, const View& view, std::size_t suns, std::size_t max_suns) {
-    DeviceTextures textures(backend);
-    const std::vector<float> texels = textures.read_floats(view.light_table(), 10 * 4 * max_suns, rhi::State::sampled);
+    const LightTable table = DeviceTextures(backend).read_light(view, max_suns);
     std::vector<LightRow> rows(suns);
-    for (std::size_t s = 0; s < suns; ++s) {
-        const auto texel = [&](std::size_t i) {
-            const float* t = texels.data() + 4 * (10 * s + i);
-            return Rgb(t[0], t[1], t[2]);
-        };
-        for (std::size_t i = 0; i < 9; ++i) rows[s].sky[i] = texel(i);
-        rows[s].sun = texel(9);
+    for (int s = 0; s < static_cast<int>(suns); ++s) {
+        LightRow& row = rows[static_cast<std::size_t>(s)];
+        for (int i = 0; i < LightTable::coefficient_count; ++i)
+            row.sky[static_cast<std::size_t>(i)] = table.sky_coefficient(i, s);
+        row.sun = table.sun_irradiance(s);
     }
     return rows;
 }

@@ -1,5 +1,7 @@
 #include "app/meter.h"
 
+#include "common/luminance.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -47,9 +49,9 @@ double automatic_exposure(std::span<const float> rgba, std::span<const double> s
     double seen = 0;
     for (std::size_t i = 0; i < solid_angles.size(); ++i) {
         const float* p = rgba.data() + 4 * i;
-        const double luminance = 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2];
-        if (!(luminance > 0) || solid_angles[i] == 0) continue;
-        pixels.emplace_back(std::max(luminance, darkest), solid_angles[i]);
+        const double light = luminance(Rgb(p[0], p[1], p[2]));
+        if (!(light > 0) || solid_angles[i] == 0) continue;
+        pixels.emplace_back(std::max(light, darkest), solid_angles[i]);
         seen += solid_angles[i];
     }
     std::ranges::sort(pixels, std::greater());

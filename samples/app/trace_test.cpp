@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 using namespace aureole;
 using namespace aureole::app;
@@ -198,7 +199,7 @@ TEST_CASE("trace: where nothing is random there is no error") {
     finish(tracer);
     const TraceResult ground = tracer.result(0), sky = tracer.result(1);
     const Rgb albedo = presets::airless().planet.ground_albedo;
-    CHECK(ground.all.radiance.g == doctest::Approx(albedo.g / 3.14159265358979 * std::cos(30 * 3.14159265358979 / 180)));
+    CHECK(ground.all.radiance.g == doctest::Approx(albedo.g / std::numbers::pi * std::cos(30 * std::numbers::pi / 180)));
     CHECK(ground.first_ground.g == ground.all.radiance.g);
     CHECK(ground.first_air.g == 0);
     CHECK(relative_error(ground.all) < 1e-12);

@@ -1,5 +1,6 @@
 #include "host_vulkan/device.h"
 
+#include "common/surface.h"
 #include "host_vulkan/calls.h"
 
 #include <cstdio>
@@ -8,15 +9,6 @@
 
 namespace host_vulkan {
 namespace {
-
-VkDebugUtilsMessengerCreateInfoEXT messenger_info(PFN_vkDebugUtilsMessengerCallbackEXT callback, void* user) {
-    auto info = info_of<VkDebugUtilsMessengerCreateInfoEXT>(VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT);
-    info.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-    info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
-    info.pfnUserCallback = callback;
-    info.pUserData = user;
-    return info;
-}
 
 std::vector<VkQueueFamilyProperties> families_of(VkPhysicalDevice physical) {
     std::uint32_t count = 0;
@@ -113,7 +105,7 @@ void Device::make_instance() {
     validation.enabledValidationFeatureCount = 1;
     validation.pEnabledValidationFeatures = checks;
     // Of the instance's own making and end, too.
-    VkDebugUtilsMessengerCreateInfoEXT messages = messenger_info(on_message, this);
+    VkDebugUtilsMessengerCreateInfoEXT messages = aureole::app::messenger_info(on_message, this);
     if (validated) {
         extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
         extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
@@ -194,10 +186,7 @@ const char* Device::describe_compute_queue() const {
 }
 
 std::uint32_t Device::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted) const {
-    VkPhysicalDeviceMemoryProperties memory = {};
-    vkGetPhysicalDeviceMemoryProperties(physical, &memory);
-    for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i)
-        if ((allowed & (1U << i)) && (memory.memoryTypes[i].propertyFlags & wanted) == wanted) return i;
+    if (const auto found = aureole::app::memory_type(physical, allowed, wanted)) return *found;
     throw std::runtime_error("the device has no memory of the kind " + std::to_string(wanted));
 }
 

@@ -1,7 +1,9 @@
 // A small renderer with a Vulkan device of its own, and Aureole as its guest: host_vulkan.md.
+#include "app/frame.h"
 #include "host_vulkan/calls.h"
 #include "host_vulkan/renderer.h"
 #include "host_vulkan/script.h"
+#include "recording/allocations.h"
 
 #include <aureole/rhi/log.h>
 
@@ -36,9 +38,9 @@ void tell(const Options& options, const Device& device, const Tally& tally) {
     std::printf("frames: %u, resizes: %u\n", tally.frames, tally.resizes);
     std::printf("frame time: median %.2f ms, 95 %% %.2f ms\n", at(0.5), at(0.95));
     if (options.validate)
-        std::printf("heap allocations of Aureole: not counted, for the validation layer makes its own in the same calls\n");
+        std::printf("heap allocations: not counted, for the validation layer makes its own in the same calls\n");
     else
-        std::printf("heap allocations of Aureole in these frames: %d\n", tally.heap_allocations);
+        std::printf("heap allocations in these frames: %d\n", tally.heap_allocations);
     std::printf("Vulkan objects and memory made in these frames: %llu\n",
                 static_cast<unsigned long long>(tally.vulkan_objects));
     if (options.validate) std::printf("validation messages: %d\n", device.messages());
@@ -73,11 +75,12 @@ void run_frames(const Options& options, Window& window, Renderer& renderer, Scri
         if (options.resize_every > 0) window.resize(script.size(frame));
         if (last && !options.screenshot.empty()) renderer.start_capture();
         const std::uint64_t made = vulkan_objects_made();
+        aureole::recording::begin_counting_allocations();  // of the host's part and of Aureole's
         const bool steady = draw(window, renderer, script, frame, tally);
+        const int heap_allocations = aureole::recording::end_counting_allocations();
         const Clock::time_point now = Clock::now();
         const double seconds = std::chrono::duration<double>(now - before).count();
         before = now;
-        const int heap_allocations = renderer.sky().heap_allocations();
         if (options.frames == 0) script.turn(window.turn(seconds));
         if (!steady || frame < warm_up) continue;
         ++tally.frames;
@@ -92,7 +95,8 @@ int run(const Options& options) {
     if (scene.suns.size() > most_suns || scene.camera.projection != aureole::Projection::matrix)
         throw std::runtime_error("--scene: at most 4 suns, and a camera in perspective");
     const TerrainMesh mesh = make_terrain(scene);
-    const double exposure = options.exposure ? *options.exposure : exposure_of(scene, mesh.camera_altitude_m);
+    const double exposure =
+        options.exposure ? *options.exposure : aureole::app::exposure_of(scene, options.size.width, options.size.height);
     Script script(scene, options, mesh.camera_altitude_m, exposure);
     RendererSettings settings;
     settings.frames_in_flight = options.frames_in_flight;

@@ -1,9 +1,5 @@
 #include "host_vulkan/script.h"
 
-#include <aureole/atmosphere.h>
-#include <aureole/cpu/cpu_device.h>
-#include <aureole/light.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,52 +7,6 @@
 namespace host_vulkan {
 
 using namespace aureole;
-
-namespace {
-
-/// Mean radiance of the half of the world that the camera looks at, by a view on the CPU: what a host does that has no frame in
-/// flight yet.
-Rgb radiance_ahead(const app::Scene& scene, double altitude_m) {
-    const auto machine = cpu::create_cpu_device();
-    rhi::Device& device = machine->device();
-    Atmosphere air(device, scene.atmosphere);
-    const std::vector<Sun> suns = app::suns_of(scene);
-    ViewSettings settings;
-    settings.max_suns = static_cast<std::uint32_t>(std::max<std::size_t>(suns.size(), 1));
-    settings.aerial_perspective = false;
-    View view(air, settings);
-    const Camera camera = look(scene.atmosphere.planet.bottom_radius_m, altitude_m, 0, 0, 1, 1);
-    view.update(camera, suns);
-    std::vector<float> texels(LightTable::floats_per_sun * settings.max_suns);
-    const rhi::Buffer buffer =
-        device.create_buffer({"light", texels.size() * sizeof(float), rhi::Usage::read_back | rhi::Usage::copy_destination});
-    rhi::CommandList& commands = machine->queue().begin();
-    air.record(commands);
-    view.record(commands);
-    const rhi::TextureBarrier readable{view.light_table(), rhi::State::sampled, rhi::State::copy_source};
-    const rhi::BufferBarrier writable{buffer, rhi::State::undefined, rhi::State::copy_destination};
-    commands.barrier({&readable, 1}, {&writable, 1});
-    commands.copy(rhi::TextureToBuffer{view.light_table(), buffer});
-    machine->queue().submit();
-    machine->queue().wait();
-    device.read_buffer(buffer, std::as_writable_bytes(std::span(texels)));
-    device.destroy(buffer, 0);
-    const LightTable light(texels);
-    return light.sky_irradiance(app::direction_of(scene.camera.pose)) / std::numbers::pi;
-}
-
-}  // namespace
-
-double exposure_of(const app::Scene& scene, double altitude_m) {
-    double factor = 1;
-    if (scene.exposure.factor) {
-        factor = *scene.exposure.factor;
-    } else {
-        const Rgb ahead = radiance_ahead(scene, altitude_m);
-        factor = 0.5 / std::max(0.2126 * ahead.r + 0.7152 * ahead.g + 0.0722 * ahead.b, 1e-9);
-    }
-    return factor * std::exp2(scene.exposure.stops);
-}
 
 std::vector<glm::dvec4> place_spheres(const app::Scene& scene, const TerrainMesh& mesh, std::uint32_t count) {
     std::vector<glm::dvec4> spheres;
@@ -73,7 +23,9 @@ std::vector<glm::dvec4> place_spheres(const app::Scene& scene, const TerrainMesh
 }
 
 Script::Script(const app::Scene& scene, const Options& options, double altitude_m, double exposure)
-    : scene_(scene), options_(options), altitude_m_(altitude_m), exposure_(exposure) {}
+    : scene_(scene), options_(options), altitude_m_(altitude_m), suns_(app::suns_of(scene)) {
+    for (Sun& sun : suns_) sun.irradiance *= exposure;
+}
 
 void Script::turn(const Window::Turn& turn) {
     scene_.camera.pose.bearing_deg += turn.right_deg;
@@ -86,18 +38,20 @@ double Script::sway(std::uint32_t frame) const {
 }
 
 const std::vector<Sun>& Script::suns(std::uint32_t frame) {
-    app::Scene moved = scene_;
-    for (app::SceneSun& sun : moved.suns)
-        sun.pose.elevation_deg = std::clamp(sun.pose.elevation_deg + 0.2 * sway(frame), -90.0, 90.0);
-    suns_ = app::suns_of(moved);
-    for (Sun& sun : suns_) sun.irradiance *= exposure_;
+    for (std::size_t i = 0; i < suns_.size(); ++i) {
+        app::ScenePose pose = scene_.suns[i].pose;
+        pose.elevation_deg = std::clamp(pose.elevation_deg + 0.2 * sway(frame), -90.0, 90.0);
+        suns_[i].direction = app::direction_of(pose);
+    }
     return suns_;
 }
 
-Camera Script::camera(std::uint32_t frame, VkExtent2D size) const {
-    app::Scene moved = scene_;
-    moved.camera.pose.bearing_deg += sway(frame);
-    return app::camera_of(moved, altitude_m_, size.width, size.height);
+Camera Script::camera(std::uint32_t frame, VkExtent2D size) {
+    const double bearing_deg = scene_.camera.pose.bearing_deg;
+    scene_.camera.pose.bearing_deg += sway(frame);
+    const Camera made = app::camera_of(scene_, altitude_m_, size.width, size.height);
+    scene_.camera.pose.bearing_deg = bearing_deg;
+    return made;
 }
 
 VkExtent2D Script::size(std::uint32_t frame) const {

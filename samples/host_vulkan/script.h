@@ -11,9 +11,6 @@
 
 namespace host_vulkan {
 
-/// Exposure of a scene: its own factor; where it leaves that to a meter, by the light of the half of the sky that its camera
-/// looks at.
-[[nodiscard]] double exposure_of(const aureole::app::Scene& scene, double altitude_m);
 /// Glass balls before the scene's camera, lower than it, near ones small and far ones large: centre and radius.
 [[nodiscard]] std::vector<glm::dvec4> place_spheres(const aureole::app::Scene& scene, const TerrainMesh& mesh,
                                                     std::uint32_t count);
@@ -26,16 +23,17 @@ public:
     void turn(const Window::Turn& turn);
     /// The suns of a frame; their light is exposed, so that half floats hold what a display shows.
     [[nodiscard]] const std::vector<aureole::Sun>& suns(std::uint32_t frame);
-    [[nodiscard]] aureole::Camera camera(std::uint32_t frame, VkExtent2D size) const;
+    [[nodiscard]] aureole::Camera camera(std::uint32_t frame, VkExtent2D size);
     /// The size that the window is to have in a frame.
     [[nodiscard]] VkExtent2D size(std::uint32_t frame) const;
 
 private:
     [[nodiscard]] double sway(std::uint32_t frame) const;
 
+    // Copies of a scene and lists of suns come from the heap: both are made once, and changed in place.
     aureole::app::Scene scene_;
     const Options options_;
-    const double altitude_m_, exposure_;
+    const double altitude_m_;
     std::vector<aureole::Sun> suns_;
 };
 

@@ -1,7 +1,7 @@
 #include "host_vulkan/sky.h"
 
+#include "common/scene_settings.h"
 #include "host_vulkan/calls.h"
-#include "recording/allocations.h"
 
 #include <array>
 #include <cstdio>
@@ -33,27 +33,6 @@ vulkan::BorrowedVulkan borrowed(const Device& device) {
     return host;
 }
 
-ViewSettings view_settings(const app::Scene& scene, bool shafts) {
-    ViewSettings settings;
-    settings.max_suns = static_cast<std::uint32_t>(std::max<std::size_t>(scene.suns.size(), 1));
-    settings.aerial_perspective_distance_m = scene.aerial_perspective_distance_m;
-    if (shafts) {
-        settings.shadows.cascades = Cascades::count;
-        settings.shadows.distance_m = scene.terrain->air_shadows_m;
-        settings.shadows.size = {96, 64, 42};
-    }
-    return settings;
-}
-
-CompositeSettings composite_settings(const app::Scene& scene) {
-    CompositeSettings settings;
-    settings.target_format = rhi::Format::rgba16_float;  // the host's HDR target
-    settings.scene_color = settings.scene_depth = true;
-    settings.sun_disk = scene.sun_disk;
-    settings.sun_lobe_g = scene.sun_lobe_g;
-    return settings;
-}
-
 VkSampler make_sampler(VkDevice device, VkFilter filter) {
     auto info = info_of<VkSamplerCreateInfo>(VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO);
     info.magFilter = info.minFilter = filter;
@@ -63,27 +42,15 @@ VkSampler make_sampler(VkDevice device, VkFilter filter) {
     return made;
 }
 
-/// Counts what is allocated while it lives.
-class CountedCall {
-public:
-    explicit CountedCall(int& sum) : sum_(sum) { recording::begin_counting_allocations(); }
-    ~CountedCall() { sum_ += recording::end_counting_allocations(); }
-    CountedCall(const CountedCall&) = delete;
-    CountedCall& operator=(const CountedCall&) = delete;
-
-private:
-    int& sum_;
-};
-
 }  // namespace
 
 Sky::Sky(const Device& device, const app::Scene& scene)
-    : device_(device),
-      shafts_(scene.terrain && scene.terrain->air_shadows_m > 0 && !scene.suns.empty()),
-      guest_(vulkan::borrow_vulkan_device(borrowed(device))) {
+    : device_(device), shafts_(app::shadows_air(scene)), guest_(vulkan::borrow_vulkan_device(borrowed(device))) {
     guest_->device().set_message_callback(on_message, nullptr);
     air_ = std::make_unique<Atmosphere>(guest_->device(), scene.atmosphere, scene.model.make());
-    view_ = std::make_unique<View>(*air_, view_settings(scene, shafts_), composite_settings(scene));
+    CompositeSettings composite = app::composite_settings(scene, true);
+    composite.target_format = rhi::Format::rgba16_float;  // the host's HDR target
+    view_ = std::make_unique<View>(*air_, app::view_settings(scene, true, Cascades::count), composite);
     if (!view_->sky_view_table() || !view_->aerial_perspective_table())
         throw Error(ErrorCode::unsupported, "model", scene.model.describe(),
                     "one that keeps tables for a host's shaders: aureole, or hillaire in its qualities low and default");
@@ -184,7 +151,6 @@ void Sky::take_targets_back() {
 }
 
 void Sky::update(std::uint64_t frame, const Camera& camera, std::span<const Sun> suns, const Cascades& cascades) {
-    const CountedCall counted(heap_allocations_);
     frame_ = frame;
     air_->set_frame(frame);
     if (shafts_) {
@@ -197,7 +163,6 @@ void Sky::update(std::uint64_t frame, const Camera& camera, std::span<const Sun>
 }
 
 void Sky::record_tables(VkCommandBuffer commands, std::uint32_t queue_family) {
-    const CountedCall counted(heap_allocations_);
     rhi::CommandList& list = guest_->begin_recording(commands, queue_family);
     air_->record(list);
     view_->record(list);
@@ -205,17 +170,11 @@ void Sky::record_tables(VkCommandBuffer commands, std::uint32_t queue_family) {
 }
 
 void Sky::record_composite(VkCommandBuffer commands) {
-    const CountedCall counted(heap_allocations_);
     rhi::CommandList& list = guest_->begin_recording(commands);
     view_->record_composite(list, targets_);
     guest_->end_recording();
 }
 
-void Sky::finished(std::uint64_t frame) {
-    const CountedCall counted(heap_allocations_);
-    guest_->device().collect(frame);
-}
-
-int Sky::heap_allocations() noexcept { return std::exchange(heap_allocations_, 0); }
+void Sky::finished(std::uint64_t frame) { guest_->device().collect(frame); }
 
 }  // namespace host_vulkan

@@ -43,9 +43,6 @@ public:
     [[nodiscard]] std::span<const aureole::rhi::Specialization> constants() const noexcept { return constants_; }
     [[nodiscard]] bool has_shafts() const noexcept { return shafts_; }
 
-    /// Calls of operator new by what is called each frame, since the last call of this.
-    [[nodiscard]] int heap_allocations() noexcept;
-
 private:
     aureole::rhi::Texture lend(const char* name, const Image& image, aureole::rhi::Format format, aureole::rhi::Usage usage,
                                aureole::rhi::State state);
@@ -65,7 +62,6 @@ private:
     VkDescriptorSetLayout layout_ = VK_NULL_HANDLE;
     VkDescriptorPool pool_ = VK_NULL_HANDLE;
     VkDescriptorSet set_ = VK_NULL_HANDLE;
-    int heap_allocations_ = 0;
 };
 
 }  // namespace host_vulkan

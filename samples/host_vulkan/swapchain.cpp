@@ -1,6 +1,7 @@
 #include "host_vulkan/swapchain.h"
 
-#include <algorithm>
+#include "common/surface.h"
+
 #include <limits>
 
 namespace host_vulkan {
@@ -8,21 +9,8 @@ namespace {
 
 /// 8 bits that the display pass encodes itself, where there are any.
 VkSurfaceFormatKHR choose_format(const Device& device) {
-    std::uint32_t count = 0;
-    check(vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical, device.surface, &count, nullptr), "surface formats");
-    std::vector<VkSurfaceFormatKHR> formats(count);
-    check(vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical, device.surface, &count, formats.data()), "surface formats");
-    for (const VkFormat wanted :
-         {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_B8G8R8A8_SRGB, VK_FORMAT_R8G8B8A8_SRGB})
-        for (const VkSurfaceFormatKHR& format : formats)
-            if (format.format == wanted && format.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR) return format;
+    if (const auto found = aureole::app::surface_format(device.physical, device.surface, false)) return *found;
     throw std::runtime_error("the window takes no sRGB of 8 bits");
-}
-
-VkExtent2D fit(VkExtent2D size, const VkSurfaceCapabilitiesKHR& can) {
-    if (can.currentExtent.width != std::numeric_limits<std::uint32_t>::max()) return can.currentExtent;
-    return {std::clamp(size.width, can.minImageExtent.width, can.maxImageExtent.width),
-            std::clamp(size.height, can.minImageExtent.height, can.maxImageExtent.height)};
 }
 
 }  // namespace
@@ -31,11 +19,11 @@ Swapchain::Swapchain(const Device& device, VkExtent2D size, const Swapchain* old
     : device_(device), format_(choose_format(device)) {
     VkSurfaceCapabilitiesKHR can = {};
     check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device.physical, device.surface, &can), "surface capabilities");
-    extent_ = fit(size, can);
+    extent_ = aureole::app::surface_extent(can, size);
     copied_ = can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     auto info = info_of<VkSwapchainCreateInfoKHR>(VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR);
     info.surface = device.surface;
-    info.minImageCount = can.maxImageCount > 0 ? std::min(can.minImageCount + 1, can.maxImageCount) : can.minImageCount + 1;
+    info.minImageCount = aureole::app::surface_images(can);
     info.imageFormat = format_.format;
     info.imageColorSpace = format_.colorSpace;
     info.imageExtent = extent_;
@@ -64,6 +52,8 @@ Swapchain::Swapchain(const Device& device, VkExtent2D size, const Swapchain* old
         check(vkCreateSemaphore(device.handle, &semaphore, nullptr, &target.rendered), "vkCreateSemaphore");
     }
 }
+
+bool Swapchain::encodes() const noexcept { return aureole::app::encodes_srgb(format_.format); }
 
 Swapchain::~Swapchain() {
     for (const Target& target : targets_) {

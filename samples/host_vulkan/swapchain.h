@@ -30,9 +30,7 @@ public:
     [[nodiscard]] VkExtent2D extent() const noexcept { return extent_; }
     [[nodiscard]] VkFormat format() const noexcept { return format_.format; }
     /// The format does what encoding of sRGB there is to do.
-    [[nodiscard]] bool encodes() const noexcept {
-        return format_.format == VK_FORMAT_B8G8R8A8_SRGB || format_.format == VK_FORMAT_R8G8B8A8_SRGB;
-    }
+    [[nodiscard]] bool encodes() const noexcept;
     [[nodiscard]] bool can_be_copied() const noexcept { return copied_; }
 
 private:

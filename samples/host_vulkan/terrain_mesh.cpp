@@ -1,11 +1,10 @@
 #include "host_vulkan/terrain_mesh.h"
 
-#include "terrain/height_field.h"
-#include "terrain/ray_caster.h"
-#include "terrain/terrain.h"
+#include "terrain/land_vertices.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <span>
 
 namespace host_vulkan {
@@ -62,25 +61,20 @@ TerrainMesh make_terrain(const Scene& scene) {
     if (!scene.terrain) return mesh;
 
     const SceneTerrain& terrain = *scene.terrain;
-    const HeightField field(read_height_map(terrain.height_map, terrain.options), terrain.vertical_exaggeration);
-    const glm::dvec2 anchor(terrain.camera_east_m, terrain.camera_north_m);
-    const RayCaster caster(field, radius, anchor);
-    mesh.lowest_m = field.height(anchor);
+    const LandVertices land(scene);
+    mesh.lowest_m = land.ground_m();
     if (scene.camera.clearance_m) mesh.camera_altitude_m = mesh.lowest_m + *scene.camera.clearance_m;
     mesh.origin_m.z = radius + mesh.camera_altitude_m;
 
-    const double range = std::min(terrain.range_m, horizon_m(radius, mesh.camera_altitude_m, field.highest()));
+    const double range = std::min(terrain.range_m, horizon_m(radius, mesh.camera_altitude_m, land.field().highest()));
     std::vector<double> heights;
-    const Lines lines(field.cell_size(0).x, range);
+    const Lines lines(land.field().cell_size(0).x, range);
     for (std::uint32_t y = 0; y <= 2 * half_side; ++y)
         for (std::uint32_t x = 0; x <= 2 * half_side; ++x) {
-            const glm::dvec2 place = anchor + glm::dvec2(lines.at(x), lines.at(y));
-            const double height = field.height(place), spacing = std::max(lines.spacing(x), lines.spacing(y));
-            heights.push_back(height);
-            const glm::dvec3 point = caster.point_at(place, height), normal = field.normal(place);
-            const aureole::Rgb albedo = terrain.albedo.value_or(natural_albedo(place, height, normal, spacing));
-            mesh.vertices.push_back({glm::vec3(point - mesh.origin_m), glm::vec3(caster.to_world(point, normal)),
-                                     glm::vec4(glm::vec3(albedo), static_cast<float>(field.open_sky(place)))});
+            const LandVertex vertex = land.at({lines.at(x), lines.at(y)}, std::max(lines.spacing(x), lines.spacing(y)));
+            heights.push_back(glm::length(vertex.point) - radius);
+            mesh.vertices.push_back({glm::vec3(vertex.point - mesh.origin_m), glm::vec3(vertex.normal),
+                                     glm::vec4(glm::vec3(vertex.albedo), static_cast<float>(vertex.open_sky))});
         }
     add_quads(mesh, heights);
     return mesh;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 using namespace aureole::app;
 
@@ -112,7 +113,7 @@ TEST_CASE("read_height_map: Matplotlib's sample grid, where it is installed") {
     CHECK(map.height == 344);
     // 3 arc seconds at 36.6 degrees north; the heights' range is the published one of the sample.
     CHECK(map.spacing_north_m == doctest::Approx(92.66).scale(1e-300).epsilon(1e-3));
-    CHECK(map.spacing_east_m == doctest::Approx(92.66 * std::cos(36.59 * 3.14159265 / 180)).scale(1e-300).epsilon(1e-3));
+    CHECK(map.spacing_east_m == doctest::Approx(92.66 * std::cos(36.59 * std::numbers::pi / 180)).scale(1e-300).epsilon(1e-3));
     const auto [low, high] = std::ranges::minmax(map.meters);
     CHECK(low == 236);
     CHECK(high == 1076);

@@ -39,7 +39,7 @@ public:
         const double altitude_m = std::max(place.altitude_km, 0.0) * 1000;
         view_.update(look(air_.parameters().planet.bottom_radius_m, altitude_m, 0, 0, 1, 1), {&sun, 1});
         backend_.run([&](rhi::CommandList& commands) { view_.record(commands); });
-        const LightTable table(textures_.read_floats(view_.light_table(), LightTable::floats_per_sun, rhi::State::sampled));
+        const LightTable table = textures_.read_light(view_, 1);
         return {table.sun_irradiance(), table.sky_irradiance({0, 0, 1})};  // the camera stands on the +z axis
     }
 

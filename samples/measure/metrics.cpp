@@ -1,6 +1,7 @@
 #include "measure/metrics.h"
 
 #include "app/quantile.h"
+#include "common/luminance.h"
 
 #include <aureole/spectrum.h>
 
@@ -11,7 +12,6 @@ namespace aureole::app {
 namespace {
 
 Channels channels(const Rgb& v) { return {v.r, v.g, v.b}; }
-double luminance(const Rgb& rgb) { return spectrum::xyz_from_rec709(rgb).y; }
 bool is_known(const TrueValue& truth) {
     return row_error(channels(truth.value), channels(truth.value), channels(truth.error)).has_value();
 }

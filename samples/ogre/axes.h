@@ -17,6 +17,8 @@ public:
     [[nodiscard]] glm::dvec3 position(const glm::dvec3& in_scene) const {
         return direction(in_scene) - glm::dvec3(0, radius_, 0);
     }
+    /// Back: a place along OGRE's axes as a point along the scene's, from the planet's centre.
+    [[nodiscard]] glm::dvec3 to_scene(const glm::dvec3& in_ogre) const { return {-in_ogre.z, -in_ogre.x, in_ogre.y + radius_}; }
     /// From the planet's centre, along OGRE's axes: what Aureole wants to know of a camera.
     [[nodiscard]] glm::dvec3 from_centre(const Ogre::Vector3& in_ogre) const {
         return {in_ogre.x, radius_ + static_cast<double>(in_ogre.y), in_ogre.z};

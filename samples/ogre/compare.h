@@ -11,8 +11,9 @@ namespace aureole::ogre {
 
 struct Comparison {
     double sky_share = 0;  ///< Of the pixels, those without land.
-    double radiance_error =
-        0;                   ///< Largest relative difference of a channel of a pixel; below 1e-3 of the brightest against that.
+    /// Largest relative difference of a channel of a pixel, of those without land and of those with it; below 1e-3 of the
+    /// brightest against that.
+    double sky_error = 0, land_error = 0;
     double light_error = 0;  ///< Of the colours of OGRE's sun and ambient light, relative to the brightest channel.
     double land_agrees = 0;  ///< Share of probed pixels in which rays meet land, or none, as the engine drew it.
     double depth_error = 0;  ///< Of nine in ten of the probed pixels with land: relative difference of depth, at most.

@@ -54,7 +54,9 @@ void Engine::start(std::uint32_t width, std::uint32_t height) {
 
 void Engine::load_materials() {
     auto& resources = Ogre::ResourceGroupManager::getSingleton();
-    resources.addResourceLocation(AUREOLE_OGRE_MEDIA, "FileSystem", group());
+    for (const char* folder :
+         {AUREOLE_OGRE_MEDIA, AUREOLE_OGRE_DISPLAY})  // the second for display.glsl, which show.frag includes
+        resources.addResourceLocation(folder, "FileSystem", group());
     resources.initialiseResourceGroup(group());
 }
 

@@ -3,16 +3,19 @@
 
 #include "axes.h"
 #include "scene/scene.h"
+#include "terrain/land_vertices.h"
 
 #include <OgreSceneManager.h>
 
 #include <glm/vec3.hpp>
 
+#include <memory>
+
 namespace aureole::ogre {
 
 struct LandMesh {
     Ogre::ManualObject* object;
-    double ground_m;  ///< Height of the land below the camera's place.
+    std::unique_ptr<app::LandVertices> land;  ///< The field that it was made of.
 };
 
 /// `scene` has terrain. Throws Error where its height map cannot be read.

@@ -1,6 +1,6 @@
 // Aureole in OGRE: terrain, sky and air of a scene file, drawn by an engine that nobody here wrote. See ogre.md.
 #include "app/commands.h"
-#include "app/land.h"
+#include "app/meter.h"
 #include "compare.h"
 #include "engine.h"
 #include "io/image.h"
@@ -11,6 +11,8 @@
 #include <OgreCamera.h>
 #include <OgreException.h>
 #include <OgreSceneNode.h>
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,12 +25,14 @@ namespace {
 
 constexpr int failed = 2, no_display = 77;
 constexpr double degree = std::numbers::pi / 180;
+constexpr double least_clearance_m = 2;
+constexpr std::uint32_t frames_a_metering = 16;
 
 struct Options {
     std::filesystem::path scene, screenshot;
     std::string size = "1280x720";
     std::uint32_t frames = 0;
-    bool compare = false;
+    bool compare = false, dive = false;
 };
 
 class Program {
@@ -44,7 +48,7 @@ public:
         window_.listen();
         sky_.emplace(engine_, scene);
         const app::SceneCamera& camera = scene.camera;
-        altitude_m_ = camera.clearance_m ? land_.ground_m + *camera.clearance_m : camera.altitude_m;
+        altitude_m_ = camera.clearance_m ? land_.land->ground_m() + *camera.clearance_m : camera.altitude_m;
         position_ = {0, altitude_m_, 0};
         pose_ = camera.pose;
         if (!scene_.suns.empty()) sun_ = scene_.suns.front().pose;
@@ -62,7 +66,9 @@ public:
         for (std::uint32_t frame = 0; options_.frames == 0 || frame < options_.frames + light_is_late; ++frame) {
             const Steering steering = window_.steer();
             if (steering.quit) break;
-            steer(steering);
+            steer(options_.dive ? down() : steering);
+            // Reading a picture back makes the device wait: at a window seldom, but in each of a few frames without one.
+            if (!scene_.exposure.factor && frame > 0 && (options_.frames != 0 || frame % frames_a_metering == 0)) meter();
             draw();
             const bool last = options_.frames != 0 && frame == options_.frames + light_is_late - 1;
             if (last && !options_.screenshot.empty())
@@ -72,6 +78,13 @@ public:
                 throw Error(ErrorCode::internal, "OpenGL: " + messages);
         }
         std::printf("Aureole's part of the last frame: %.2f ms\n", sky_->milliseconds());
+    }
+
+    /// Camera and land, for who wants to know whether one is above the other.
+    void check_clearance() const {
+        const double above = clearance_m();
+        std::printf("the camera is %.2f m above the land\n", above);
+        if (!(above >= 0.99 * least_clearance_m)) throw Error(ErrorCode::internal, "the camera is inside the land");
     }
 
     void compare() const {
@@ -84,13 +97,27 @@ public:
 private:
     Ogre::SceneNode& eye() { return *engine_.camera().getParentSceneNode(); }
 
+    /// Far ahead and down in every frame.
+    static Steering down() {
+        Steering steering;
+        steering.forward_m = 900;
+        steering.up_m = -500;
+        return steering;
+    }
+
+    /// Height above the land below the camera, along the vertical of where it is, on a round planet.
+    [[nodiscard]] double clearance_m() const {
+        const glm::dvec3 place = axes_.to_scene(position_);
+        return glm::length(place) - scene_.atmosphere.planet.bottom_radius_m - land_.land->ground_m(place);
+    }
+
     void steer(const Steering& steering) {
         pose_.bearing_deg += steering.turn_right / degree;
         pose_.elevation_deg = std::clamp(pose_.elevation_deg + steering.turn_up / degree, -89.0, 89.0);
         const glm::dvec3 forward = Axes::direction(app::direction_of(pose_));
         const glm::dvec3 right = Axes::direction(app::direction_of({pose_.bearing_deg + 90, 0}));
         position_ += steering.forward_m * forward + steering.right_m * right + glm::dvec3(0, steering.up_m, 0);
-        position_.y = std::max(position_.y, 2.0);
+        stay_above_land();
         sun_.elevation_deg = std::clamp(sun_.elevation_deg + steering.sun_higher_deg, -90.0, 90.0);
         sun_.bearing_deg += steering.sun_clockwise_deg;
         stops_ += steering.stops;
@@ -98,14 +125,34 @@ private:
         eye().setDirection(to_ogre(forward), Ogre::Node::TS_WORLD);
     }
 
+    void stay_above_land() {
+        const double above = clearance_m();
+        if (above < least_clearance_m)
+            position_ += (least_clearance_m - above) * Axes::direction(glm::normalize(axes_.to_scene(position_)));
+    }
+
+    /// What the meter (app/meter.h) says of the picture of the frame before: every fourth pixel of every fourth row.
+    void meter() {
+        constexpr std::uint32_t step = 4;
+        const std::vector<float> all = Engine::read(engine_.picture());
+        const std::uint32_t width = size_.width / step, height = size_.height / step;
+        std::vector<float> some;
+        for (std::uint32_t y = 0; y < height; ++y)
+            for (std::uint32_t x = 0; x < width; ++x) {
+                const auto pixel =
+                    all.begin() + static_cast<std::ptrdiff_t>(4 * (std::size_t{y} * step * size_.width + x * step));
+                some.insert(some.end(), pixel, pixel + 4);
+            }
+        const Camera camera = app::camera_of(scene_, altitude_m_, width, height);
+        metered_ = app::automatic_exposure(some, app::solid_angles(camera, width, height));
+    }
+
     void draw() {
         std::vector<Sun> suns = app::suns_of(scene_);
         for (Sun& sun : suns) sun.direction = Axes::direction(sun.direction);
         if (!suns.empty()) suns.front().direction = Axes::direction(app::direction_of(sun_));
         sky_->update(camera_of(engine_.camera(), axes_), suns);
-        // A sky as bright in all directions as on average is shown at half of white.
-        const double automatic = 0.7 * std::numbers::pi / std::max(sky_->brightness(), 1e-12);
-        engine_.set_exposure(static_cast<float>(scene_.exposure.factor.value_or(automatic) * std::exp2(stops_)));
+        engine_.set_exposure(static_cast<float>(scene_.exposure.factor.value_or(metered_) * std::exp2(stops_)));
         engine_.draw_frame();
     }
 
@@ -117,7 +164,7 @@ private:
     Engine engine_;
     LandMesh land_;
     std::optional<Sky> sky_;
-    double altitude_m_ = 0, stops_ = 0;
+    double altitude_m_ = 0, stops_ = 0, metered_ = 1;
     glm::dvec3 position_{};  // along OGRE's axes
     app::ScenePose pose_, sun_;
 };
@@ -129,6 +176,7 @@ void run(const Options& options) {
     Program program(options, scene);
     program.run();
     if (options.compare) program.compare();
+    if (options.dive) program.check_clearance();
 }
 
 int main(int argc, char** argv) {
@@ -143,6 +191,8 @@ int main(int argc, char** argv) {
     app.add_option("--screenshot", options.screenshot, "PNG file of the last frame")->needs(frames);
     app.add_flag("--compare", options.compare,
                  "Compare the last frame with the CPU backend's; a difference makes the program fail")
+        ->needs(frames);
+    app.add_flag("--dive", options.dive, "Fly ahead and down into the land; a camera inside it makes the program fail")
         ->needs(frames);
     CLI11_PARSE(app, argc, argv);
     try {

@@ -1,5 +1,7 @@
 #include "sky.h"
 
+#include "common/scene_settings.h"
+
 #include <aureole/light.h>
 
 #include <OgreCamera.h>
@@ -37,18 +39,9 @@ Camera camera_of(const Ogre::Camera& camera, const Axes& axes) {
     return made;
 }
 
-ViewSettings view_settings(const app::Scene& scene) {
-    ViewSettings settings;
-    settings.max_suns = static_cast<std::uint32_t>(std::max<std::size_t>(scene.suns.size(), 1));
-    settings.aerial_perspective_distance_m = scene.aerial_perspective_distance_m;
-    return settings;
-}
-
 CompositeSettings composite_settings(const app::Scene& scene) {
-    CompositeSettings settings;
+    CompositeSettings settings = app::composite_settings(scene, true);
     settings.target_format = rhi::Format::rgba16_float;
-    settings.scene_color = settings.scene_depth = true;
-    settings.sun_disk = scene.sun_disk;
     return settings;
 }
 
@@ -56,8 +49,8 @@ Sky::Sky(Engine& engine, const app::Scene& scene)
     : engine_(engine),
       guest_(gl::borrow_context()),
       air_(guest_->device(), scene.atmosphere, scene.model.make()),
-      view_(air_, view_settings(scene), composite_settings(scene)),
-      light_texels_(LightTable::floats_per_sun * view_settings(scene).max_suns) {
+      view_(air_, app::view_settings(scene, true), composite_settings(scene)),
+      light_texels_(LightTable::floats_per_sun * app::view_settings(scene, true).max_suns) {
     targets_.scene_color = lend(engine.colour(), rhi::Format::rgba16_float, rhi::Usage::sampled);
     targets_.scene_depth = lend(engine.depth(), rhi::Format::r32_float, rhi::Usage::sampled);
     targets_.target = lend(engine.picture(), rhi::Format::rgba16_float, rhi::Usage::sampled | rhi::Usage::storage);
@@ -92,7 +85,6 @@ void Sky::light_the_engine(const Sun& sun) {
     const LightTable light(light_texels_);
     const Rgb direct = light.sun_irradiance(0), sky = light.sky_irradiance({0, 1, 0});
     engine_.set_light(to_ogre(glm::normalize(sun.direction)), colour(direct), colour(sky));
-    brightness_ = (sky.r + sky.g + sky.b) / 3;
 }
 
 void Sky::draw() {

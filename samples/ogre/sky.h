@@ -18,8 +18,7 @@ namespace aureole::ogre {
 /// Near distance of that depth, metres; land.frag knows it, too.
 inline constexpr double depth_near_m = 1;
 
-/// How the sample uses a view: the same on every device.
-[[nodiscard]] ViewSettings view_settings(const app::Scene& scene);
+/// Of the sample's view, on every device; its other settings are app::view_settings, of a picture with land.
 [[nodiscard]] CompositeSettings composite_settings(const app::Scene& scene);
 
 class Sky {
@@ -35,8 +34,6 @@ public:
     /// After the engine has drawn its scene: tables that have changed, and the picture.
     void draw();
 
-    /// Brightness of what the sky sends down, for an exposure: the mean of the light's channels.
-    [[nodiscard]] double brightness() const noexcept { return brightness_; }
     /// Milliseconds of the device's clock that the latest draw() took; not a number where it does not tell.
     [[nodiscard]] double milliseconds() const;
 
@@ -53,7 +50,6 @@ private:
     rhi::Buffer light_;
     std::vector<float> light_texels_;
     bool light_read_ = false;
-    double brightness_ = 0;
 };
 
 }  // namespace aureole::ogre

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <random>
 
 using namespace aureole::app;
@@ -21,7 +22,7 @@ HeightMap make_map(std::uint32_t side, double spacing, const std::function<doubl
 }
 
 glm::dvec3 towards(double bearing_deg, double elevation_deg) {
-    const double b = bearing_deg * 3.14159265358979 / 180, e = elevation_deg * 3.14159265358979 / 180;
+    const double b = bearing_deg * std::numbers::pi / 180, e = elevation_deg * std::numbers::pi / 180;
     return {std::cos(e) * std::cos(b), -std::cos(e) * std::sin(b), std::sin(e)};
 }
 
@@ -36,7 +37,7 @@ TEST_CASE("RayCaster: flat land is a sphere") {
         const auto hit = caster.cast(eye, towards(30, -down), 0, 1e6);
         REQUIRE(hit);
         // Where a line at this angle meets the sphere: r sin - sqrt(R^2 - r^2 cos^2).
-        const double s = std::sin(down * 3.14159265358979 / 180), c = std::cos(down * 3.14159265358979 / 180),
+        const double s = std::sin(down * std::numbers::pi / 180), c = std::cos(down * std::numbers::pi / 180),
                      r = radius + 1000;
         CHECK(hit->distance_m ==
               doctest::Approx(r * s - std::sqrt(radius * radius - r * r * c * c)).scale(1e-300).epsilon(1e-6));

@@ -3,6 +3,8 @@
 #include "terrain/noise.h"
 #include "terrain/pixel_rays.h"
 
+#include <aureole/rhi/kernel/cpu_kernel.h>
+
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <algorithm>
@@ -15,6 +17,13 @@
 
 namespace aureole::app {
 namespace {
+
+/// The shaders' formulas.
+template <class real>
+struct Harmonics {
+    AUREOLE_KERNEL_TYPES
+#include "../../atmosphere/light/harmonics.glsl"
+};
 
 double smooth(double low, double high, double x) {
     const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
@@ -88,21 +97,10 @@ struct Shading {
 }  // namespace
 
 Rgb sky_irradiance(const std::array<Rgb, 9>& sky, const glm::dvec3& n) {
-    // Basis in the order of View::light_table, each times the cosine lobe's factor of its degree: pi, 2 pi / 3, pi / 4.
-    constexpr double pi = std::numbers::pi;
-    const double y0 = 0.5 * std::sqrt(1 / pi) * pi, y1 = std::sqrt(3 / (4 * pi)) * 2 * pi / 3;
-    const double y2 = std::sqrt(15 / (4 * pi)) * pi / 4;
-    const double basis[9] = {y0,
-                             y1 * n.y,
-                             y1 * n.z,
-                             y1 * n.x,
-                             y2 * n.x * n.y,
-                             y2 * n.y * n.z,
-                             y2 * (3 * n.z * n.z - 1) / (2 * std::sqrt(3.0)),
-                             y2 * n.x * n.z,
-                             y2 * (n.x * n.x - n.y * n.y) / 2};
+    Harmonics<double> harmonics;
     Rgb sum(0);
-    for (std::size_t i = 0; i < 9; ++i) sum += basis[i] * sky[i];
+    for (int i = 0; i < Harmonics<double>::HARMONIC_COUNT; ++i)
+        sum += harmonics.harmonic_irradiance(i, n) * sky[static_cast<std::size_t>(i)];
     return glm::max(sum, Rgb(0));
 }
 

@@ -24,7 +24,7 @@ vec3 surface(vec3 place, vec3 direction, vec3 n, float fresnel) {
         frosted += sun * max(dot(n, frame.suns[s].xyz), 0.0);
         light += sun * fresnel * 40.0 * pow(max(dot(mirrored, frame.suns[s].xyz), 0.0), 500.0);
     }
-    return light + 0.25 * (1.0 - fresnel) * TINT / 3.14159265 * frosted;
+    return light + 0.25 * (1.0 - fresnel) * TINT / radians(180.0) * frosted;
 }
 
 void main() {

@@ -21,5 +21,5 @@ void main() {
         on_the_flat += sun * max(dot(frame.up.xyz, frame.suns[s].xyz), 0.0);
     }
     irradiance += (1.0 - albedo.w) * albedo.rgb * on_the_flat;  // what hides the sky is lit, too
-    color = vec4(albedo.rgb / 3.14159265 * irradiance, 1);
+    color = vec4(albedo.rgb / radians(180.0) * irradiance, 1);
 }

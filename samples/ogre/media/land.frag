@@ -16,6 +16,6 @@ void main() {
     float facing_sun = max(dot(n, normalize(towards_sun.xyz)), 0.0);
     float facing_sky = 0.5 + 0.5 * n.y;
     vec3 irradiance = sun_irradiance.rgb * facing_sun + sky_irradiance.rgb * facing_sky * albedo_and_open_sky.a;
-    radiance = vec4(albedo_and_open_sky.rgb * irradiance / 3.14159265, 1.0);
+    radiance = vec4(albedo_and_open_sky.rgb * irradiance / radians(180.0), 1.0);
     stored_depth = near_m / view_depth;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 namespace aureole::viewer {
 namespace {
@@ -43,7 +44,7 @@ void add_planet(FieldBuilder& add, const State& state) {
         [](auto& s) -> auto& { return s.scene.atmosphere.planet.ground_albedo; });
 }
 
-/// What stands for a kind that has no numbers yet. Tables are read from scene files, and not made here.
+/// What stands for a kind that has no numbers yet.
 Profile profile_of(const std::string& kind) {
     if (kind == "tent") return TentProfile{};
     if (kind == "tabulated") return TabulatedProfile{{0, 1000, 10000}, {1, 1, 0}};
@@ -53,7 +54,7 @@ PhaseFunction phase_of(const std::string& kind) {
     if (kind == "henyey_greenstein") return HenyeyGreensteinPhase{};
     if (kind == "cornette_shanks") return CornetteShanksPhase{};
     if (kind == "henyey_greenstein_draine") return HenyeyGreensteinDrainePhase{};
-    if (kind == "tabulated") return TabulatedPhase{{0, 3.14159265358979}, {1, 1}};
+    if (kind == "tabulated") return TabulatedPhase{{0, std::numbers::pi}, {1, 1}};
     return RayleighPhase{};
 }
 
@@ -124,6 +125,7 @@ void add_air_fields(FieldBuilder& add, const State& state) {
             {0, 1e3, true}, [i](auto& s) -> auto& { return term_of(s, i).absorption_scale; });
         add_profile(add, term, i);
         add_phase(add, term, i);
+        add_sample_fields(add, term, i);
     }
 }
 

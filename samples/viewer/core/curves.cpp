@@ -69,8 +69,7 @@ Curves curves_of(app::Backend& backend, Atmosphere& air, double altitude_m) {
         }
         view.update(camera, suns);
         backend.run([&](rhi::CommandList& commands) { view.record(commands); });
-        const LightTable light(
-            textures.read_floats(view.light_table(), LightTable::floats_per_sun * suns_at_once, rhi::State::sampled));
+        const LightTable light = textures.read_light(view, suns_at_once);
         for (int s = 0; s < suns_at_once; ++s) {
             curves.sun_elevation_deg.push_back(all[first + static_cast<std::size_t>(s)]);
             curves.transmittance.push_back(light.sun_irradiance(s));

@@ -1,5 +1,7 @@
 #include "viewer/core/difference.h"
 
+#include "common/luminance.h"
+
 #include <aureole/rhi/error.h>
 
 #include <algorithm>
@@ -11,7 +13,7 @@ namespace {
 
 constexpr double darkest_share = 1e-3;
 
-double luminance(const float* rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
+double luminance(const float* rgb) { return app::luminance(Rgb(rgb[0], rgb[1], rgb[2])); }
 
 template <class Image>
 void check_sizes(const Image& a, const Image& b) {

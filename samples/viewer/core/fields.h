@@ -43,4 +43,20 @@ void set_field(State& state, const std::string& name, const std::string& value);
 void set_number(State& state, const Field& field, double value);
 void set_text(State& state, const Field& field, const std::string& value);
 
+/// The two tables that a term of the air may have: density over altitude, and a phase function over the angle. Each of their
+/// first `most_sample_rows` rows has fields (term.mie.profile.altitude_m.1, .density.1; term.mie.phase.angle_rad.2, .value.1)
+/// in a group of their own.
+enum class Sampled { profile, phase };
+inline constexpr std::size_t most_sample_rows = 64;
+[[nodiscard]] inline std::string sample_group(const std::string& term, Sampled which) {
+    return "term " + term + (which == Sampled::profile ? ", profile's samples" : ", phase function's samples");
+}
+/// Rows of a term's table; 0 where it has none.
+[[nodiscard]] std::size_t sample_count(const State& state, std::size_t term, Sampled which);
+/// Behind a row (from 0), half-way to the next; behind a profile's last, as far above it as that is above the one before.
+void insert_sample(State& state, std::size_t term, Sampled which, std::size_t row);
+/// Throws Error(invalid_argument), and changes nothing, where the air's rules need the row: two must stay, and a phase
+/// function's ends.
+void remove_sample(State& state, std::size_t term, Sampled which, std::size_t row);
+
 }  // namespace aureole::viewer

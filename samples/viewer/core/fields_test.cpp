@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 #include <filesystem>
+#include <numbers>
 #include <set>
 
 using namespace aureole;
@@ -87,4 +88,44 @@ TEST_CASE("fields: an altitude takes the place of a clearance, and a term's kind
     CHECK_FALSE(state.scene.terrain);
     set_field(state, "suns", "3");
     CHECK(state.scene.suns.size() == 3);
+}
+
+TEST_CASE("fields: samples of a tabulated profile and phase function are set, added and taken out") {
+    State state = state_with("[[sun]]\n");
+    set_field(state, "term.mie.profile", "tabulated");
+    CHECK(sample_count(state, 1, Sampled::profile) == 3);
+    CHECK(sample_count(state, 1, Sampled::phase) == 0);
+    CHECK(sample_count(state, 0, Sampled::profile) == 0);
+    const auto profile = [&]() -> TabulatedProfile {
+        return std::get<TabulatedProfile>(state.scene.atmosphere.terms[1].profile);
+    };
+    set_field(state, "term.mie.profile.altitude_m.2", "2000");
+    set_field(state, "term.mie.profile.density.2", "0.5");
+    CHECK(profile() == TabulatedProfile{{0, 2000, 10000}, {1, 0.5, 0}});
+    insert_sample(state, 1, Sampled::profile, 1);
+    insert_sample(state, 1, Sampled::profile, 3);
+    CHECK(profile() == TabulatedProfile{{0, 2000, 6000, 10000, 14000}, {1, 0.5, 0.25, 0, 0}});
+    remove_sample(state, 1, Sampled::profile, 0);
+    CHECK(profile() == TabulatedProfile{{2000, 6000, 10000, 14000}, {0.5, 0.25, 0, 0}});
+    // Altitudes rise, and two rows stay.
+    const State before = state;
+    CHECK(
+        contains(complaint([&] { set_field(state, "term.mie.profile.altitude_m.2", "10001"); }), "allowed: in [2000, 10000]"));
+    CHECK(contains(complaint([&] { set_field(state, "term.mie.profile.altitude_m.2", "10000"); }), "altitude_m"));
+    CHECK(state == before);
+    remove_sample(state, 1, Sampled::profile, 0);
+    remove_sample(state, 1, Sampled::profile, 0);
+    CHECK(complaint([&] { remove_sample(state, 1, Sampled::profile, 0); }) != "nothing");
+    CHECK(sample_count(state, 1, Sampled::profile) == 2);
+
+    set_field(state, "term.mie.phase", "tabulated");
+    CHECK(contains(complaint([&] { set_field(state, "term.mie.phase.angle_rad.1", "1"); }), "field: "));
+    insert_sample(state, 1, Sampled::phase, 1);  // the last stays the last
+    set_field(state, "term.mie.phase.angle_rad.2", "1");
+    set_field(state, "term.mie.phase.value.1", "5");
+    const auto& phase = std::get<TabulatedPhase>(state.scene.atmosphere.terms[1].phase);
+    CHECK(phase == TabulatedPhase{{0, 1, std::numbers::pi}, {5, 1, 1}});
+    CHECK(complaint([&] { remove_sample(state, 1, Sampled::phase, 0); }) != "nothing");
+    remove_sample(state, 1, Sampled::phase, 1);
+    CHECK(sample_count(state, 1, Sampled::phase) == 2);
 }

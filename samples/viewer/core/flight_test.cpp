@@ -95,24 +95,51 @@ TEST_CASE("flight: the sun goes to where the mouse is") {
     CHECK(scene.suns[0].pose.elevation_deg == near(pose.elevation_deg + 18));
 }
 
-TEST_CASE("path: written, read, flown") {
+TEST_CASE("path: written, read, flown, with all suns") {
     Path path;
-    app::Scene scene = scene_with("[[sun]]\nelevation_deg = 10\nbearing_deg = 170\n[camera]\naltitude_m = 100\n");
+    app::Scene scene = scene_with(
+        "[[sun]]\nelevation_deg = 10\nbearing_deg = 170\n[[sun]]\nelevation_deg = 30\nbearing_deg = 5\n[camera]\naltitude_m = "
+        "100\n");
     path.add(point_of(scene, 100, 0));
     scene.suns[0].pose.bearing_deg = -170;
+    scene.suns[1].pose.elevation_deg = 50;
     scene.camera.altitude_m = 300;
     path.add(point_of(scene, 300, 2));
     CHECK(path.at(-1).altitude_m == 100);
     CHECK(path.at(9).altitude_m == 300);
     CHECK(path.at(1).altitude_m == near(200));
-    CHECK(path.at(0.5).sun_bearing_deg == near(175));  // the shorter way round
+    REQUIRE(path.at(0.5).suns.size() == 2);
+    CHECK(path.at(0.5).suns[0].bearing_deg == near(175));  // the shorter way round
+    CHECK(path.at(0.5).suns[1].elevation_deg == near(35));
     write_path("path.csv", path);
     CHECK(read_path("path.csv").points() == path.points());
     stand_at(scene, path.at(1));
     CHECK(scene.camera.altitude_m == near(200));
     CHECK(scene.suns[0].pose.bearing_deg == near(180));
+    CHECK(scene.suns[1].pose.elevation_deg == near(40));
+    CHECK(scene.suns[1].pose.bearing_deg == near(5));
+
+    // A sun that goes while the path is recorded stays where it was last; one that comes is none of the path's.
+    const app::ScenePose last = scene.suns[1].pose;
+    Path shorter;
+    shorter.add(point_of(scene, 0, 0));
+    scene.suns.resize(1);
+    shorter.add(point_of(scene, 0, 1));
+    REQUIRE(shorter.points()[1].suns.size() == 2);
+    CHECK(shorter.points()[1].suns[1] == last);
+    scene.suns.resize(4);
+    shorter.add(point_of(scene, 0, 2));
+    CHECK(shorter.points()[2].suns.size() == 2);
+    Path none;
+    none.add(point_of(scene_with("[camera]\naltitude_m = 1\n"), 1, 0));
+    write_path("none.csv", none);
+    CHECK(read_path("none.csv").points() == none.points());
+
     app::put("bad.csv",
-             "time_s,altitude_m,east_m,north_m,bearing_deg,elevation_deg,vertical_fov_deg,sun_bearing_deg,sun_elevation_deg\n"
-             "1,1,1,1,1,1,1,1,1\n1,1,1,1,1,1,1,1,1\n");
+             "time_s,altitude_m,east_m,north_m,bearing_deg,elevation_deg,vertical_fov_deg\n1,1,1,1,1,1,1\n1,1,1,1,1,1,1\n");
     CHECK(app::contains(app::complaint([] { (void)read_path("bad.csv"); }), "bad.csv:3: time_s: 1 is not allowed"));
+    app::put(
+        "half.csv",
+        "time_s,altitude_m,east_m,north_m,bearing_deg,elevation_deg,vertical_fov_deg,sun_1_bearing_deg\n1,1,1,1,1,1,1,1\n");
+    CHECK(app::contains(app::complaint([] { (void)read_path("half.csv"); }), "column sun_1_elevation_deg is missing"));
 }

@@ -17,7 +17,7 @@ struct Command {
     std::size_t least, most;  ///< Words after it.
     std::string_view usage;
 };
-constexpr std::array<Command, 20> commands{{
+constexpr std::array<Command, 22> commands{{
     {"set", 2, 2, "set FIELD VALUE"},
     {"print", 1, 1, "print FIELD"},
     {"load", 1, 1, "load FILE"},
@@ -29,13 +29,15 @@ constexpr std::array<Command, 20> commands{{
     {"press", 1, 1, "press left|right|middle"},
     {"release", 1, 1, "release left|right|middle"},
     {"drag", 5, 5, "drag left|right|middle X Y X Y"},
-    {"click", 1, 1, "click WIDGET"},
+    {"click", 1, 2, "click WIDGET [ctrl]"},
     {"hover", 1, 1, "hover WIDGET"},
+    {"wheel", 1, 1, "wheel STEPS"},
     {"key", 2, 2, "key NAME FRAMES"},
     {"type", 1, 1, "type TEXT"},
     {"screenshot", 1, 1, "screenshot FILE"},
     {"picture", 2, 2, "picture a|b|shown FILE"},
-    {"texel", 2, 2, "texel X Y"},
+    {"texel", 0, 2, "texel, or texel X Y"},
+    {"describe", 1, 1, "describe a|b"},
     {"record", 1, 2, "record start, or record stop FILE"},
     {"play", 1, 1, "play FILE"},
 }};
@@ -104,6 +106,12 @@ int button_of(const std::string& name) {
     return static_cast<int>(found - buttons.begin());
 }
 
+void texel(Stage& stage, const std::vector<std::string>& words) {
+    if (words.size() == 2) throw Error(ErrorCode::invalid_argument, "texel", words[1], "nothing after it, or X Y");
+    if (words.size() == 1) return stage.texel_under_mouse();
+    stage.texel(whole(words[1]), whole(words[2]));
+}
+
 }  // namespace
 
 Script::Script(std::string_view text, std::string name) : name_(std::move(name)) {
@@ -157,7 +165,8 @@ bool ScriptRunner::step(Stage& stage, const ScriptLine& line) {
     if (command == "type") return frame_ == 0 ? (stage.type(w[1]), false) : true;
     if (command == "screenshot") return stage.screenshot(w[1]), true;
     if (command == "picture") return stage.picture(w[1], w[2]), true;
-    if (command == "texel") return stage.texel(whole(w[1]), whole(w[2])), true;
+    if (command == "texel") return texel(stage, w), true;
+    if (command == "describe") return stage.describe(w[1]), true;
     if (command == "record") {
         if (w[1] != "start" && !(w[1] == "stop" && w.size() == 3))
             throw Error(ErrorCode::invalid_argument, "record", w[1], "start, or stop FILE");
@@ -193,10 +202,18 @@ bool ScriptRunner::act_with_mouse(Stage& stage, const ScriptLine& line) {
         return frame_ > scrolled + 1;
     }
     if (w[0] == "click") {
+        const bool with_key = w.size() == 3;
+        if (with_key && w[2] != "ctrl") throw Error(ErrorCode::invalid_argument, "click", w[2], "ctrl, or nothing");
         if (frame_ <= scrolled) stage.point_at(w[1]);
+        if (frame_ == scrolled && with_key) stage.key(w[2], true);
         if (frame_ == scrolled + 1) stage.button(0, true);
         if (frame_ == scrolled + 2) stage.button(0, false);
+        if (frame_ == scrolled + 3 && with_key) stage.key(w[2], false);
         return frame_ > scrolled + 3;
+    }
+    if (w[0] == "wheel") {
+        if (frame_ == 0) stage.wheel(number(w[1]));
+        return frame_ > 0;
     }
     // drag: to the first point, press, in some steps to the second, release
     const double x0 = number(w[2]), y0 = number(w[3]), x1 = number(w[4]), y1 = number(w[5]);

@@ -52,6 +52,7 @@ public:
     // What the next frame of the window finds: in its pixels, from the upper left.
     virtual void mouse(double x, double y) = 0;
     virtual void button(int index, bool down) = 0;  ///< 0 left, 1 right, 2 middle.
+    virtual void wheel(double steps) = 0;
     virtual void key(const std::string& name, bool down) = 0;
     virtual void type(const std::string& text) = 0;
     /// The mouse goes to the middle of a widget of the frame before, which is scrolled into sight. Error(invalid_argument)
@@ -61,6 +62,8 @@ public:
     virtual void screenshot(const std::filesystem::path& file) = 0;  ///< Of the whole window, as the last frame drew it.
     virtual void picture(const std::string& which, const std::filesystem::path& file) = 0;  ///< "a", "b" or "shown".
     virtual void texel(int x, int y) = 0;                                                   ///< Of the table that is shown.
+    virtual void texel_under_mouse() = 0;                ///< The one whose numbers the panel shows.
+    virtual void describe(const std::string& pane) = 0;  ///< "a" or "b": what draws it, and why.
     virtual void record(bool start, const std::filesystem::path& file) = 0;
     virtual void play(const std::filesystem::path& file) = 0;
     [[nodiscard]] virtual bool playing() = 0;

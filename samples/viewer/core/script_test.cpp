@@ -32,6 +32,9 @@ public:
         write("picture " + which + " " + file.string());
     }
     void texel(int x, int y) override { write("texel " + std::to_string(x) + "," + std::to_string(y)); }
+    void texel_under_mouse() override { write("texel"); }
+    void describe(const std::string& pane) override { write("describe " + pane); }
+    void wheel(double steps) override { write("wheel " + std::to_string(int(steps))); }
     void record(bool start, const std::filesystem::path& file) override { write((start ? "record" : "stop ") + file.string()); }
     void play(const std::filesystem::path& file) override { write("play " + file.string()); }
     bool playing() override { return frame < plays_until; }
@@ -76,13 +79,15 @@ TEST_CASE("script: what needs no frame happens at once, input takes its frames")
     CHECK(Diary().run("wait 3\nprint x\n") == "3: print x");
     CHECK(Diary().run("resize 30 40\nprint x\n") == "0: resize 30,40 | 3: print x");
     CHECK(Diary().run("click OK\nprint x\n") == "0: at OK | 1: at OK | 2: at OK | 3: down 0 | 4: up 0 | 6: print x");
+    CHECK(Diary().run("click OK ctrl\nwheel -2\nprint x\n") ==
+          "0: at OK | 1: at OK | 2: at OK; +ctrl | 3: down 0 | 4: up 0 | 5: -ctrl | 6: wheel -2 | 7: print x");
     CHECK(Diary().run("key w 2\nprint x\n") == "0: +w | 2: -w | 3: print x");
     CHECK(Diary().run("drag right 0 0 8 4\nprint x\n") ==
           "0: mouse 0,0 | 1: down 1 | 2: mouse 2,1 | 3: mouse 4,2 | 4: mouse 6,3 | 5: mouse 8,4 | 6: up 1 | 7: print x");
     Diary slow;
     slow.settled_at = 7;
-    CHECK(slow.run("settle\nscreenshot a.png\npicture a b.png\ntexel 3 4\n") ==
-          "7: screenshot a.png; picture a b.png; texel 3,4");
+    CHECK(slow.run("settle\nscreenshot a.png\npicture a b.png\ntexel 3 4\ntexel\ndescribe b\n") ==
+          "7: screenshot a.png; picture a b.png; texel 3,4; texel; describe b");
     Diary plays;
     plays.plays_until = 5;
     CHECK(plays.run("record start\nrecord stop p.csv\nplay p.csv\nprint x\n") ==
@@ -95,5 +100,7 @@ TEST_CASE("script: faults name their line") {
     CHECK(contains(fault("wait -1\n"), "s.txt:1: wait: value: -1 is not allowed"));
     CHECK(contains(fault("mouse 1 b\n"), "s.txt:1: mouse: value: \"b\" is not allowed; allowed: a number"));
     CHECK(contains(fault("press top\n"), "button: top is not allowed; allowed: left, right, middle"));
+    CHECK(contains(fault("texel 3\n"), "allowed: nothing after it, or X Y"));
+    CHECK(contains(fault("click OK shift\n"), "click: shift is not allowed; allowed: ctrl, or nothing"));
     CHECK(contains(fault("record stop\n"), "allowed: start, or stop FILE"));
 }

@@ -15,46 +15,55 @@ void edit_number(Session& session, const Field& field) {
         attempt(session, [&] { set_number(session.state, field, value); });
 }
 
-void edit_flag(Session& session, const Field& field) {
+bool edit_flag(Session& session, const Field& field) {
     bool on = field.text(session.state) == "true";
-    if (ImGui::Checkbox(field.label.c_str(), &on))
-        attempt(session, [&] { set_text(session.state, field, on ? "true" : "false"); });
+    const bool changed = ImGui::Checkbox(field.label.c_str(), &on);
+    session.marks.last(field.name);
+    if (changed) attempt(session, [&] { set_text(session.state, field, on ? "true" : "false"); });
+    return changed;
 }
 
-void edit_choice(Session& session, const Field& field) {
+bool edit_choice(Session& session, const Field& field) {
     const std::string now = field.text(session.state);
     const bool open = ImGui::BeginCombo(field.label.c_str(), now.c_str());
-    session.marks.last(field.name);
-    if (!open) return;
+    session.marks.last(field.name, true);
+    if (!open) return false;
+    bool changed = false;
     for (const std::string& option : field.options) {
-        if (ImGui::Selectable(option.c_str(), option == now)) attempt(session, [&] { set_text(session.state, field, option); });
+        if (ImGui::Selectable(option.c_str(), option == now)) {
+            attempt(session, [&] { set_text(session.state, field, option); });
+            changed = true;
+        }
         session.marks.last(field.name + "=" + option);
     }
     ImGui::EndCombo();
+    return changed;
 }
 
 }  // namespace
 
-bool edit_group(Session& session, const std::vector<Field>& fields, const std::string& group) {
-    bool any = false;
+bool edit_field(Session& session, const Field& field) {
+    bool chosen = false;
+    ImGui::PushID(field.name.c_str());
+    if (field.is_number()) {
+        edit_number(session, field);
+        session.marks.last(field.name, true);
+    } else if (field.is_flag()) {
+        chosen = edit_flag(session, field);
+    } else if (!field.options.empty()) {
+        chosen = edit_choice(session, field);
+    }
+    ImGui::PopID();
+    return chosen;
+}
+
+void edit_group(Session& session, const std::string& group) {
     ImGui::PushID(group.c_str());
     ImGui::PushItemWidth(180);
-    for (const Field& field : fields) {
-        if (field.group != group) continue;
-        any = true;
-        ImGui::PushID(field.name.c_str());
-        if (field.is_number())
-            edit_number(session, field);
-        else if (field.is_flag())
-            edit_flag(session, field);
-        else if (!field.options.empty())
-            edit_choice(session, field);
-        if (field.is_number() || field.is_flag()) session.marks.last(field.name);
-        ImGui::PopID();
-    }
+    for (const Field& field : fields_of(session.state))
+        if (field.group == group && edit_field(session, field)) break;  // the rest may be of what is there no more
     ImGui::PopItemWidth();
     ImGui::PopID();
-    return any;
 }
 
 }  // namespace aureole::viewer

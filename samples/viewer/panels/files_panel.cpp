@@ -4,7 +4,7 @@ namespace aureole::viewer {
 
 void files_panel(Session& session) {
     ImGui::InputText("file", session.file.data(), session.file.size());
-    session.marks.last("file");
+    session.marks.last("file", true);
     const auto button = [&](const char* label, auto action) {
         if (ImGui::Button(label)) attempt(session, action);
         session.marks.last(label);
@@ -16,6 +16,10 @@ void files_panel(Session& session) {
         session.save(name);
         session.message = "wrote " + name;
     });
+    ImGui::Separator();
+    button("Save screenshot", [&] { session.screenshot_to = name; });
+    ImGui::SameLine();
+    button("Save picture", [&] { session.picture_to = name; });
     ImGui::Separator();
     if (session.recording) {
         ImGui::Text("recording: %.1f s, %zu places", session.path.length_s(), session.path.points().size());

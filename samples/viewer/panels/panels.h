@@ -20,10 +20,11 @@ struct Session {
     std::optional<Difference> apart;  ///< Of them, where both have radiance.
     std::uint64_t drawn = 0;          ///< Pictures so far.
     Marks marks;
-    std::string message;                      ///< The latest fault or deed, for the line at the bottom.
-    std::array<char, 512> file{};             ///< Name in the file panel.
-    float table_gain = 1;                     ///< Of the picture of a table.
-    std::optional<std::array<int, 2>> texel;  ///< Under the mouse, or as a script asked.
+    std::string message;                              ///< The latest fault or deed, for the line at the bottom.
+    std::array<char, 512> file{};                     ///< Name in the file panel.
+    float table_gain = 1;                             ///< Of the picture of a table.
+    std::optional<std::array<int, 2>> texel;          ///< Under the mouse, or as a script asked.
+    std::filesystem::path screenshot_to, picture_to;  ///< Asked for by a button; written once the frame is drawn.
     bool recording = false;
     double recorded_s = 0;                     ///< Time since it began.
     Path path;                                 ///< Recorded, or read.
@@ -51,8 +52,12 @@ void attempt(Session& session, Action action) {
     }
 }
 
-/// Widgets for all fields of a group; false if there are none.
-bool edit_group(Session& session, const std::vector<Field>& fields, const std::string& group);
+/// A field's widget, named in the marks. True: something was chosen, and the state may have other fields now.
+bool edit_field(Session& session, const Field& field);
+/// Widgets for all fields of a group.
+void edit_group(Session& session, const std::string& group);
+/// A line for each row of a term's tables, with buttons to add and take out rows.
+void edit_samples(Session& session, std::size_t term);
 
 void scene_panel(Session& session);
 void air_panel(Session& session);

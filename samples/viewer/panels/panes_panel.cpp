@@ -6,10 +6,10 @@
 namespace aureole::viewer {
 namespace {
 
-void setup(Session& session, const std::vector<Field>& fields, int index) {
+void setup(Session& session, int index) {
     const std::string letter = index == 0 ? "a" : "b";
     if (!ImGui::CollapsingHeader(index == 0 ? "Pane A" : "Pane B", ImGuiTreeNodeFlags_DefaultOpen)) return;
-    edit_group(session, fields, "pane " + letter);
+    edit_group(session, "pane " + letter);
     const PanePicture* pane = session.pane(index);
     if (!pane) return;
     ImGui::TextWrapped("%s", pane->backend.c_str());
@@ -59,7 +59,11 @@ void panes_panel(Session& session) {
     for (const Field& field : fields) {
         static constexpr std::array<std::string_view, 4> here{"view.resolution", "view.labels", "view.divider",
                                                               "view.difference_range"};
-        if (std::ranges::find(here, field.name) != here.end()) edit_group(session, {field}, "view");
+        if (std::ranges::find(here, field.name) != here.end()) {
+            ImGui::PushItemWidth(180);
+            edit_field(session, field);
+            ImGui::PopItemWidth();
+        }
     }
     if (session.state.layout == Layout::difference) {
         legend(session.state.difference_range);
@@ -67,8 +71,8 @@ void panes_panel(Session& session) {
             ImGui::Text("median %.3g %%, 95 of 100 below %.3g %%, greatest %.3g %%", 100 * session.apart->median,
                         100 * session.apart->p95, 100 * session.apart->greatest);
     }
-    setup(session, fields, 0);
-    setup(session, fields, 1);
+    setup(session, 0);
+    setup(session, 1);
 }
 
 }  // namespace aureole::viewer

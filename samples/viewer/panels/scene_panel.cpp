@@ -5,15 +5,13 @@
 namespace aureole::viewer {
 
 void scene_panel(Session& session) {
-    const std::vector<Field> fields = fields_of(session.state);
     const auto part = [&](const std::string& title, const std::string& group, bool open) {
-        if (ImGui::CollapsingHeader(title.c_str(), open ? ImGuiTreeNodeFlags_DefaultOpen : 0))
-            edit_group(session, fields, group);
+        if (ImGui::CollapsingHeader(title.c_str(), open ? ImGuiTreeNodeFlags_DefaultOpen : 0)) edit_group(session, group);
         session.marks.last("part." + group);
     };
     part("Camera", "camera", true);
     ImGui::CollapsingHeader("Suns", ImGuiTreeNodeFlags_DefaultOpen | ImGuiTreeNodeFlags_Leaf);
-    edit_group(session, fields, "suns");
+    edit_group(session, "suns");
     for (std::size_t i = 0; i < session.state.scene.suns.size(); ++i) {
         const std::string number = std::to_string(i + 1);
         part("Sun " + number, "sun " + number, i == 0);
@@ -23,8 +21,7 @@ void scene_panel(Session& session) {
 }
 
 void air_panel(Session& session) {
-    const std::vector<Field> fields = fields_of(session.state);
-    if (ImGui::CollapsingHeader("Planet", ImGuiTreeNodeFlags_DefaultOpen)) edit_group(session, fields, "planet");
+    if (ImGui::CollapsingHeader("Planet", ImGuiTreeNodeFlags_DefaultOpen)) edit_group(session, "planet");
     // By number: fields carry names, of which two could be the same while one is typed.
     std::optional<std::size_t> remove;
     for (std::size_t i = 0; i < session.state.scene.atmosphere.terms.size(); ++i) {
@@ -33,7 +30,8 @@ void air_panel(Session& session) {
         const bool open = ImGui::CollapsingHeader(("Term: " + name).c_str(), i == 0 ? ImGuiTreeNodeFlags_DefaultOpen : 0);
         session.marks.last("part.term " + name);
         if (open) {
-            edit_group(session, fields, "term " + name);
+            edit_group(session, "term " + name);
+            edit_samples(session, i);  // of the state as it is by now
             if (ImGui::Button("Take this term out")) remove = i;
             session.marks.last("remove " + name);
         }

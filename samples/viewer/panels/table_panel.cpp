@@ -19,10 +19,11 @@ void choose(Session& session, const PanePicture& pane) {
     for (int i = 0; i < 2; ++i) {
         if (i > 0) ImGui::SameLine();
         ImGui::RadioButton(i == 0 ? "of pane A" : "of pane B", &state.table_pane, i);
+        session.marks.last("view.table_pane=" + std::to_string(i));
     }
     const std::string now = pane.table ? pane.table->name : "none";
     const bool open = ImGui::BeginCombo("table", now.c_str());
-    session.marks.last("view.table_name");
+    session.marks.last("view.table_name", true);
     if (open) {
         for (const std::string& name : pane.table_names) {
             if (ImGui::Selectable(name.c_str(), name == now)) {
@@ -33,7 +34,10 @@ void choose(Session& session, const PanePicture& pane) {
         }
         ImGui::EndCombo();
     }
-    if (pane.table && pane.table->slices > 1) ImGui::SliderInt("slice", &state.table_slice, 0, pane.table->slices - 1);
+    if (pane.table && pane.table->slices > 1) {
+        ImGui::SliderInt("slice", &state.table_slice, 0, pane.table->slices - 1);
+        session.marks.last("view.table_slice", true);
+    }
     ImGui::SliderFloat("brightness", &session.table_gain, 0.01F, 1000, "%.3g", ImGuiSliderFlags_Logarithmic);
 }
 

@@ -32,9 +32,9 @@ elevation_deg = 12
 App::App(const AppOptions& options)
     : options_(options),
       window_(options.width, options.height, "aureole-viewer"),
-      gpu_(window_.handle(), options.validation),
+      gpu_(window_.handle(), options.gpu),
       screen_(gpu_, window_.size()),
-      worker_(options.validation) {
+      worker_(options.gpu.validation) {
     const app::Scene scene =
         options.scene.empty() ? app::parse_scene(first_scene, "the viewer's own scene") : app::read_scene(options.scene);
     session_.state = state_of(scene, options.backend);
@@ -88,6 +88,7 @@ void App::frame() {
     submit();
     screen_.show(area());
     on_screen_ = session_.shown.number;
+    save_pictures();
 }
 
 /// A new picture where there are new panes, or they are laid out otherwise.

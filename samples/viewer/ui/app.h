@@ -14,7 +14,7 @@ struct AppOptions {
     std::filesystem::path scene, script;  ///< Empty: a scene of its own; none.
     std::uint32_t width = 1280, height = 760;
     std::string backend = "vulkan";
-    bool validation = false;
+    GpuOptions gpu;  ///< `validation` is of the panes' devices, too.
 };
 
 class App final : public Stage {
@@ -33,12 +33,15 @@ public:
     [[nodiscard]] bool settled() override;
     void mouse(double x, double y) override { input_.mouse(x, y); }
     void button(int index, bool down) override { input_.button(index, down); }
+    void wheel(double steps) override { input_.wheel(steps); }
     void key(const std::string& name, bool down) override { input_.key(name, down); }
     void type(const std::string& text) override { input_.type(text); }
     void point_at(const std::string& widget) override;
     void screenshot(const std::filesystem::path& file) override;
     void picture(const std::string& which, const std::filesystem::path& file) override;
     void texel(int x, int y) override;
+    void texel_under_mouse() override;
+    void describe(const std::string& pane) override;
     void record(bool start, const std::filesystem::path& file) override;
     void play(const std::filesystem::path& file) override { session_.play(file); }
     [[nodiscard]] bool playing() override { return session_.playing_s.has_value(); }
@@ -53,6 +56,7 @@ private:
     void use_picture_area();
     void drag_in_picture(double x, double y);
     void draw_labels();
+    void save_pictures();
     void submit();
     [[nodiscard]] Area area() const;
     [[nodiscard]] VkExtent2D picture_size() const;

@@ -3,6 +3,7 @@
 #include "io/csv.h"
 
 #include <cstdio>
+#include <utility>
 
 namespace aureole::viewer {
 
@@ -45,10 +46,38 @@ void App::texel(int x, int y) {
     if (!pane || !pane->table) throw Error(ErrorCode::misuse, "texel: no table is shown; set view.table true, then settle");
     const float* t = pane->table->texel(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
     session_.texel = std::array{x, y};
-    std::printf("texel %s %d %d of slice %d: %s %s %s %s\n", pane->table->name.c_str(), x, y, pane->table->slice,
+    std::printf("texel %s %d %d of slice %d: %s %s %s %s; greatest %s\n", pane->table->name.c_str(), x, y, pane->table->slice,
                 app::print_number(t[0]).c_str(), app::print_number(t[1]).c_str(), app::print_number(t[2]).c_str(),
-                app::print_number(t[3]).c_str());
+                app::print_number(t[3]).c_str(), app::print_number(pane->table->greatest).c_str());
     std::fflush(stdout);
+}
+
+void App::texel_under_mouse() {
+    if (!session_.texel) throw Error(ErrorCode::misuse, "texel: the mouse has not been over a table");
+    texel((*session_.texel)[0], (*session_.texel)[1]);
+}
+
+void App::describe(const std::string& which) {
+    if (which != "a" && which != "b") throw Error(ErrorCode::invalid_argument, "pane", which, "a, b");
+    const PanePicture* pane = session_.pane(which == "a" ? 0 : 1);
+    if (!pane) throw Error(ErrorCode::misuse, "describe: pane " + which + " has not been drawn");
+    std::printf("pane %s: %s, %s\n%s", which.c_str(), pane->model.c_str(), pane->backend.c_str(),
+                pane->plan.empty() ? "" : (pane->plan + "\n").c_str());
+    std::fflush(stdout);
+}
+
+/// What the file panel's buttons have asked for in this frame.
+void App::save_pictures() {
+    const auto save = [&](std::filesystem::path& wanted, auto write) {
+        const std::filesystem::path file = std::exchange(wanted, {});
+        if (file.empty()) return;
+        attempt(session_, [&] {
+            write(file);
+            session_.message = "wrote " + file.string();
+        });
+    };
+    save(session_.screenshot_to, [&](const auto& file) { screenshot(file); });
+    save(session_.picture_to, [&](const auto& file) { picture("shown", file); });
 }
 
 void App::record(bool start, const std::filesystem::path& file) {

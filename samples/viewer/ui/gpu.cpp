@@ -1,5 +1,7 @@
 #include "viewer/ui/gpu.h"
 
+#include "common/surface.h"
+
 #include <aureole/rhi/error.h>
 
 #define GLFW_INCLUDE_NONE
@@ -29,16 +31,6 @@ Function function(VkInstance instance, const char* name) {
     return reinterpret_cast<Function>(vkGetInstanceProcAddr(instance, name));
 }
 
-VkDebugUtilsMessengerCreateInfoEXT messenger_info(PFN_vkDebugUtilsMessengerCallbackEXT callback, void* user) {
-    VkDebugUtilsMessengerCreateInfoEXT info{};
-    info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
-    info.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-    info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
-    info.pfnUserCallback = callback;
-    info.pUserData = user;
-    return info;
-}
-
 }  // namespace
 
 void check(VkResult result, const char* call) {
@@ -57,11 +49,12 @@ VkBool32 Gpu::on_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMes
     return VK_FALSE;
 }
 
-Gpu::Gpu(GLFWwindow* window, bool validation) {
+Gpu::Gpu(GLFWwindow* window, const GpuOptions& options) {
     try {
-        make_instance(validation);
+        make_instance(options.validation);
         check(glfwCreateWindowSurface(instance, window, nullptr, &surface), "glfwCreateWindowSurface");
         choose_device();
+        choose_format(options.srgb_surface);
         make_device();
     } catch (...) {
         destroy();
@@ -91,7 +84,7 @@ void Gpu::make_instance(bool validation) {
     info.ppEnabledExtensionNames = extensions.data();
     info.enabledLayerCount = validation ? 1 : 0;
     info.ppEnabledLayerNames = &validation_layer;
-    const VkDebugUtilsMessengerCreateInfoEXT messages = messenger_info(on_message, this);
+    const VkDebugUtilsMessengerCreateInfoEXT messages = app::messenger_info(on_message, this);
     info.pNext = validation ? &messages : nullptr;
     check(vkCreateInstance(&info, nullptr, &instance), "vkCreateInstance");
     if (!validation) return;
@@ -124,6 +117,16 @@ void Gpu::choose_device() {
         }
     }
     if (!physical_device) throw Error(ErrorCode::unsupported, "no Vulkan device can draw to this window");
+}
+
+void Gpu::choose_format(bool srgb) {
+    const auto found = app::surface_format(physical_device, surface, srgb);
+    if (!found) throw Error(ErrorCode::unsupported, "the window's surface takes no sRGB of 8 bits");
+    surface_format = *found;
+    const bool encodes = app::encodes_srgb(surface_format.format);
+    if (srgb && !encodes)
+        throw Error(ErrorCode::unsupported, "--srgb-surface: the window's surface has no format that encodes");
+    image_format = encodes ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM;
 }
 
 void Gpu::make_device() {
@@ -183,10 +186,7 @@ void Gpu::run(const std::function<void(VkCommandBuffer)>& record) {
 }
 
 std::uint32_t Gpu::memory_type(std::uint32_t bits, VkMemoryPropertyFlags properties) const {
-    VkPhysicalDeviceMemoryProperties memory;
-    vkGetPhysicalDeviceMemoryProperties(physical_device, &memory);
-    for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i)
-        if ((bits & (1u << i)) && (memory.memoryTypes[i].propertyFlags & properties) == properties) return i;
+    if (const auto found = app::memory_type(physical_device, bits, properties)) return *found;
     throw Error(ErrorCode::out_of_memory, "the device has no memory of the kind that the window needs");
 }
 

@@ -15,11 +15,16 @@ namespace aureole::viewer {
 /// Throws Error(internal), or device_lost or out_of_memory, naming the call.
 void check(VkResult result, const char* call);
 
+struct GpuOptions {
+    bool validation = false;
+    bool srgb_surface = false;  ///< A format of the surface that encodes by itself, though there may be others.
+};
+
 /// Instance, surface, device with one queue that draws and presents. Everything of it must be gone before it.
 class Gpu {
 public:
     /// Throws Error(unsupported) where there is no such device, or no validation layer where that is asked for.
-    Gpu(GLFWwindow* window, bool validation);
+    Gpu(GLFWwindow* window, const GpuOptions& options);
     ~Gpu();
     Gpu(const Gpu&) = delete;
     Gpu& operator=(const Gpu&) = delete;
@@ -37,10 +42,15 @@ public:
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t family = 0;
     VkCommandPool pool = VK_NULL_HANDLE;
+    VkSurfaceFormatKHR surface_format{};
+    /// Of images on their way to the surface. Their bytes are encoded already, and blits convert between formats: what is
+    /// blitted into a surface that encodes must be called encoded, too.
+    VkFormat image_format = VK_FORMAT_UNDEFINED;
 
 private:
     void make_instance(bool validation);
     void choose_device();
+    void choose_format(bool srgb);
     void make_device();
     void destroy() noexcept;
     static VkBool32 VKAPI_PTR on_message(VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDebugUtilsMessageTypeFlagsEXT,
@@ -49,7 +59,7 @@ private:
     std::atomic<int> findings_ = 0;
 };
 
-/// An rgba8_unorm image with its memory and view.
+/// An image of Gpu::image_format with its memory, and a view of its bytes as they are (`view_format`).
 class GpuImage {
 public:
     GpuImage(Gpu& gpu, VkExtent2D extent, VkImageUsageFlags usage);
@@ -57,7 +67,7 @@ public:
     GpuImage(const GpuImage&) = delete;
     GpuImage& operator=(const GpuImage&) = delete;
 
-    static constexpr VkFormat format = VK_FORMAT_R8G8B8A8_UNORM;
+    static constexpr VkFormat view_format = VK_FORMAT_R8G8B8A8_UNORM;
     VkExtent2D extent;
     VkImage image = VK_NULL_HANDLE;
     VkImageView view = VK_NULL_HANDLE;

@@ -19,7 +19,8 @@ GpuImage::GpuImage(Gpu& gpu, VkExtent2D extent_in, VkImageUsageFlags usage) : ex
     VkImageCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
     info.imageType = VK_IMAGE_TYPE_2D;
-    info.format = format;
+    info.format = gpu.image_format;
+    if (info.format != view_format) info.flags = VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT;
     info.extent = {extent.width, extent.height, 1};
     info.mipLevels = info.arrayLayers = 1;
     info.samples = VK_SAMPLE_COUNT_1_BIT;
@@ -36,7 +37,7 @@ GpuImage::GpuImage(Gpu& gpu, VkExtent2D extent_in, VkImageUsageFlags usage) : ex
         view_info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
         view_info.image = image;
         view_info.viewType = VK_IMAGE_VIEW_TYPE_2D;
-        view_info.format = format;
+        view_info.format = view_format;
         view_info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
         check(vkCreateImageView(gpu.device, &view_info, nullptr, &view), "vkCreateImageView");
     } catch (...) {

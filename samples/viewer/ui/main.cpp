@@ -37,8 +37,10 @@ int main(int argc, char** argv) {
     program.add_option("--backend", options.backend, "What both panes begin with")
         ->check(CLI::IsMember({"vulkan", "cpu", "cpu-double"}))
         ->default_str(options.backend);
-    program.add_flag("--validation", options.validation,
+    program.add_flag("--validation", options.gpu.validation,
                      "Window and Vulkan panes under the validation layer; what it reports is a failure");
+    program.add_flag("--srgb-surface", options.gpu.srgb_surface,
+                     "A format of the window's surface that encodes sRGB by itself, as some systems have alone");
     program.footer("Exit code: 0; 77 where no window can be opened; else 2 with one line on stderr.");
     try {
         program.parse(argc, argv);

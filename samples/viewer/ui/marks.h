@@ -12,9 +12,12 @@ class Marks {
 public:
     /// A frame begins: nothing is anywhere yet.
     void forget() { places_.clear(); }
-    /// The widget that was just made.
-    void last(const std::string& name) {
-        places_[name] = middle(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    /// The widget that was just made. `labelled`: it has its label on the right, where a click would do nothing.
+    void last(const std::string& name, bool labelled = false) {
+        const ImVec2 begin = ImGui::GetItemRectMin();
+        ImVec2 end = ImGui::GetItemRectMax();
+        if (labelled) end.x = begin.x + ImGui::CalcItemWidth();
+        places_[name] = middle(begin, end);
         if (name != wanted_) return;
         ImGui::SetScrollHereY();
         wanted_.clear();

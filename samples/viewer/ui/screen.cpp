@@ -39,7 +39,7 @@ Screen::~Screen() {
 /// Widgets go over what is there.
 void Screen::make_pass() {
     VkAttachmentDescription attachment{};
-    attachment.format = GpuImage::format;
+    attachment.format = GpuImage::view_format;
     attachment.samples = VK_SAMPLE_COUNT_1_BIT;
     attachment.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
     attachment.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
@@ -137,7 +137,7 @@ void Screen::show(const Area& area) {
 
 void Screen::draw(VkCommandBuffer commands, const Area& area) {
     move(commands, frame_->image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-    const VkClearColorValue dark{{0.06F, 0.06F, 0.07F, 1}};
+    const VkClearColorValue dark{{0, 0, 0, 1}};  // of which the format's curve makes nothing else
     const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
     vkCmdClearColorImage(commands, frame_->image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &dark, 1, &all);
     if (picture_ && area.width > 0 && area.height > 0) draw_picture(commands, area);

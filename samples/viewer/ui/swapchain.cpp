@@ -1,31 +1,13 @@
 #include "viewer/ui/swapchain.h"
 
+#include "common/surface.h"
+
 #include <aureole/rhi/error.h>
 
-#include <algorithm>
 #include <limits>
 
 namespace aureole::viewer {
 namespace {
-
-VkSurfaceFormatKHR choose_format(const Gpu& gpu) {
-    std::uint32_t count = 0;
-    vkGetPhysicalDeviceSurfaceFormatsKHR(gpu.physical_device, gpu.surface, &count, nullptr);
-    std::vector<VkSurfaceFormatKHR> formats(count);
-    check(vkGetPhysicalDeviceSurfaceFormatsKHR(gpu.physical_device, gpu.surface, &count, formats.data()),
-          "vkGetPhysicalDeviceSurfaceFormatsKHR");
-    if (formats.empty()) throw Error(ErrorCode::unsupported, "the window's surface has no format");
-    // What is blitted is encoded already: unorm.
-    for (const VkSurfaceFormatKHR& format : formats)
-        if (format.format == VK_FORMAT_B8G8R8A8_UNORM || format.format == VK_FORMAT_R8G8B8A8_UNORM) return format;
-    return formats.front();
-}
-
-VkExtent2D choose_extent(const VkSurfaceCapabilitiesKHR& surface, VkExtent2D wanted) {
-    if (surface.currentExtent.width != std::numeric_limits<std::uint32_t>::max()) return surface.currentExtent;
-    return {std::clamp(wanted.width, surface.minImageExtent.width, surface.maxImageExtent.width),
-            std::clamp(wanted.height, surface.minImageExtent.height, surface.maxImageExtent.height)};
-}
 
 VkSemaphore make_semaphore(const Gpu& gpu) {
     VkSemaphoreCreateInfo info{};
@@ -63,14 +45,13 @@ void Swapchain::make(VkExtent2D wanted) {
           "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
     if (!(surface.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT))
         throw Error(ErrorCode::unsupported, "the window's surface takes no blits");
-    extent_ = choose_extent(surface, wanted);
-    const VkSurfaceFormatKHR format = choose_format(gpu_);
+    extent_ = app::surface_extent(surface, wanted);
     VkSwapchainCreateInfoKHR info{};
     info.sType = VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR;
     info.surface = gpu_.surface;
-    info.minImageCount = surface.minImageCount + (surface.maxImageCount != surface.minImageCount ? 1 : 0);
-    info.imageFormat = format.format;
-    info.imageColorSpace = format.colorSpace;
+    info.minImageCount = app::surface_images(surface);
+    info.imageFormat = gpu_.surface_format.format;
+    info.imageColorSpace = gpu_.surface_format.colorSpace;
     info.imageExtent = extent_;
     info.imageArrayLayers = 1;
     info.imageUsage = VK_IMAGE_USAGE_TRANSFER_DST_BIT;

@@ -94,6 +94,7 @@ void ScriptedInput::apply() {
         if (key == GLFW_KEY_LEFT_SHIFT) io.KeyShift = down;
         if (key == GLFW_KEY_LEFT_CONTROL) io.KeyCtrl = down;
     }
+    io.MouseWheel += std::exchange(wheel_, 0.0F);
     if (!text_.empty()) io.AddInputCharactersUTF8(std::exchange(text_, {}).c_str());
 }
 

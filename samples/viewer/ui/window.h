@@ -39,6 +39,7 @@ class ScriptedInput {
 public:
     void mouse(double x, double y) { mouse_ = {static_cast<float>(x), static_cast<float>(y)}; }
     void button(int index, bool down) { buttons_[index] = down; }
+    void wheel(double steps) { wheel_ += static_cast<float>(steps); }
     /// "a" to "z", "0" to "9", "space", "enter", "escape", "tab", "backspace", "delete", "left", "right", "up", "down",
     /// "shift", "ctrl". Throws Error(invalid_argument).
     void key(const std::string& name, bool down);
@@ -53,6 +54,7 @@ private:
     std::optional<Point> mouse_;
     std::map<int, bool> buttons_, keys_;
     std::string text_;
+    float wheel_ = 0;
 };
 
 }  // namespace aureole::viewer

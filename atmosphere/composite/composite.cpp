@@ -34,6 +34,19 @@ void check_sizes(const rhi::Device& device, const CompositeSettings& settings, c
     same(targets.directions, "targets.directions");
 }
 
+/// As far as the device knows it. Kernels are made for one format, which no device compares with the texture's.
+void check_format(const rhi::Device& device, const CompositeSettings& settings, const CompositeTargets& targets) {
+    const rhi::TextureDesc* desc = device.find(targets.target);
+    if (desc != nullptr && desc->format != settings.target_format)
+        reject("targets.target", rhi::to_string(desc->format),
+               std::string(rhi::to_string(settings.target_format)) + ", CompositeSettings::target_format");
+}
+
+void check_apart(bool read, rhi::Texture texture, rhi::Texture target, const char* field) {
+    if (read && texture == target)
+        reject(field, "the same image as targets.target", "another one: what is read is not written");
+}
+
 }  // namespace
 
 void validate(const CompositeSettings& settings) {
@@ -58,6 +71,10 @@ void check_targets(const rhi::Device& device, const CompositeSettings& settings,
                     "null with ViewSettings::shadows, which are found along the rays of the camera alone");
     detail::check("targets.extent.width", targets.extent.width, 1, device.capabilities().max_texture_2d);
     detail::check("targets.extent.height", targets.extent.height, 1, device.capabilities().max_texture_2d);
+    check_apart(settings.scene_color, targets.scene_color, targets.target, "targets.scene_color");
+    check_apart(settings.scene_depth, targets.scene_depth, targets.target, "targets.scene_depth");
+    check_apart(true, targets.directions, targets.target, "targets.directions");
+    check_format(device, settings, targets);
     check_sizes(device, settings, targets);
 }
 

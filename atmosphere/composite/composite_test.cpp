@@ -167,6 +167,31 @@ TEST_CASE("composite: all depth conventions show one picture") {
     }
 }
 
+// As in Vulkan: the same pixels come from an unflipped projection under a viewport of negative height, whose row 0 is clip y
+// +1, and from a flipped one under a viewport of positive height, whose row 0 is clip y -1. Only signs differ: not even a
+// rounding.
+TEST_CASE("composite: a flipped projection, bottom first, shows what an unflipped one shows top first") {
+    const auto cpu = open_cpu_float();
+    Rig rig(*cpu, setup_of(false));
+    rig.record_air();
+    for (const auto& conventions : {perspective_conventions(aspect), orthographic_conventions(aspect)}) {
+        for (const DepthConvention& convention : conventions) {
+            Camera camera = camera_of(convention);
+            const SceneTextures scene = upload(rig.backend, size, patches, convention);
+            const auto shown = [&] {
+                rig.record_view(camera, sun_at(20));
+                return rig.show(size, {.scene_color = scene.color, .scene_depth = scene.depth});
+            };
+            const Image unflipped = shown();
+            for (int column = 0; column < 4; ++column) camera.projection[column][1] *= -1;
+            // Upside down, and not alike then; parallel rays have one direction.
+            if (camera.projection[2][3] != 0) CHECK(shown() != unflipped);
+            camera.row_order = RowOrder::bottom_first;
+            check_close(shown(), unflipped, 0, convention.name);
+        }
+    }
+}
+
 TEST_CASE("composite: a draw shows what compute shows, and a d32_float depth buffer what r32_float does") {
     const auto show_all = [](Backend& backend) {
         const DepthConvention convention = perspective_conventions(aspect).front();

@@ -1,5 +1,6 @@
 #include "module/air.h"
 #include "module/requirements.h"
+#include "module/told.h"
 
 #include "aerial_perspective/aerial_perspective.h"
 #include "camera/pack_view.h"
@@ -143,7 +144,9 @@ struct View::Impl final : detail::AirUser {
         const bool is_deep = distance < radius / 2;
         if (is_deep && !deep)
             log()->warn(
-                "camera.position_m: {} m from the planet's centre, the ground is at {} m; it is relative to that centre",
+                "camera.position_m: {} m from the planet's centre, the ground is at {} m; it is in metres, relative to that "
+                "centre "
+                "(kilometres? the radius not added?)",
                 detail::print(distance), detail::print(radius));
         deep = is_deep;
     }
@@ -167,6 +170,8 @@ struct View::Impl final : detail::AirUser {
     bool updated = false;
     bool deep = false;  // the camera is nearer to the planet's centre than to its ground
     detail::Teller teller{air.tellers};
+    detail::Told before_update, before_air, before_record;
+    detail::ToldTargets unprepared;
     bool light_stale = true, block_stale = true, shadows_stale = true;
     ShadowMap shadow_map;
     detail::ShadowBlock shadow_block{};
@@ -219,14 +224,11 @@ void View::record(rhi::CommandList& commands, TimestampSlots timestamps) {
     Impl& impl = *impl_;
     detail::ViewTables& tables = *impl.tables;
     for (std::size_t i = 0; i <= impl.light_pass(); ++i) impl.reports[i].recorded = false;
-    if (!impl.updated) {
-        log()->error("View::record: called before View::update; nothing is recorded");
-        return;
-    }
-    if (!impl.air.tables->recorded()) {
-        log()->error("View::record: called before Atmosphere::record; nothing is recorded");
-        return;
-    }
+    if (impl.before_update.begins(!impl.updated)) log()->error("View::record: called before View::update; nothing is recorded");
+    if (!impl.updated) return;
+    const bool early = !impl.air.tables->recorded();
+    if (impl.before_air.begins(early)) log()->error("View::record: called before Atmosphere::record; nothing is recorded");
+    if (early) return;
     if (impl.air.tables->version != impl.air_version) impl.stale();
     impl.air_version = impl.air.tables->version;
     if (impl.block_stale) detail::update_block(commands, tables.block_buffer, impl.block);
@@ -244,7 +246,10 @@ void View::record(rhi::CommandList& commands, TimestampSlots timestamps) {
 
 void View::invalidate() noexcept { impl_->invalidate(); }
 
-void View::prepare_composite(const CompositeTargets& targets) { impl_->tables->composite.prepare(targets); }
+void View::prepare_composite(const CompositeTargets& targets) {
+    impl_->tables->composite.prepare(targets);
+    impl_->unprepared.end(targets);
+}
 
 void View::release_composite(const CompositeTargets& targets) noexcept { impl_->tables->composite.release(targets); }
 
@@ -253,13 +258,14 @@ void View::record_composite(rhi::CommandList& commands, const CompositeTargets& 
     const std::size_t pass = impl.composite_pass();
     impl.reports[pass].recorded = false;
     if (!impl.tables->composite.prepared(targets)) {
-        log()->error("View::record_composite: these targets were not given to prepare_composite; nothing is recorded");
+        if (impl.unprepared.begins(targets))
+            log()->error("View::record_composite: these targets were not given to prepare_composite; nothing is recorded");
         return;
     }
-    if (impl.tables->block_buffer.state == rhi::State::undefined || !impl.tables->model->ready()) {
+    const bool early = impl.tables->block_buffer.state == rhi::State::undefined || !impl.tables->model->ready();
+    if (impl.before_record.begins(early))
         log()->error("View::record_composite: called before View::record; nothing is recorded");
-        return;
-    }
+    if (early) return;
     const bool from_space = impl.block.camera.w > 0.5F;
     impl.tables->composite.record(commands, targets, from_space, impl.air.frame, impl.reports[pass], timestamps,
                                   static_cast<std::uint32_t>(pass));

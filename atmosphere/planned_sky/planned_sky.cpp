@@ -1,5 +1,6 @@
 #include "composite/composite.h"
 #include "module/requirements.h"
+#include "module/told.h"
 #include "plan/keep.h"
 #include "planned_sky/crossfade.h"
 #include "planned_sky/place.h"
@@ -216,7 +217,8 @@ struct PlannedSky::Impl {
     std::vector<CompositeTargets> prepared;
     std::optional<ShadowMap> shadow_map;
     Place planned_at;
-    bool redo = false;         // the air is another one
+    bool redo = false;  // the air is another one
+    detail::Told before_update;
     bool shown_since = false;  // a composite has been recorded since the last update
     std::uint32_t faded = 0;
 };
@@ -306,10 +308,9 @@ void PlannedSky::record(rhi::CommandList& commands) {
 
 void PlannedSky::record_composite(rhi::CommandList& commands, const CompositeTargets& targets) {
     Impl& impl = *impl_;
-    if (!impl.current) {
+    if (impl.before_update.begins(!impl.current))
         log()->error("PlannedSky::record_composite: called before PlannedSky::update; nothing is recorded");
-        return;
-    }
+    if (!impl.current) return;
     impl.shown_since = true;
     const double share = impl.share();
     const bool known = std::ranges::find(impl.prepared, targets) != impl.prepared.end();

@@ -168,7 +168,9 @@ struct CompositeSettings {
 
 /// The host's textures for one composite. Colour and depth in State::sampled / depth_read; target in storage_write (compute) or
 /// color_attachment (raster). All are left in the state in which they came. A missing texture or an extent out of range is
-/// Error(invalid_argument) from View::prepare_composite; one of another format, usage or dimension is the device's error there.
+/// Error(invalid_argument) from View::prepare_composite, and so is a target of another format than
+/// CompositeSettings::target_format, or one that is read as well, if the device knows it (Device::find); another usage or
+/// dimension is the device's error there.
 struct CompositeTargets {
     rhi::Texture scene_color{};  ///< Scene-linear radiance in the suns' unit, not exposed; of the target's size. With
                                  ///< CompositeSettings::scene_color, else ignored.
@@ -208,8 +210,8 @@ public:
 
     /// Records of the model's tables of the camera (none, for some models), shadows and light those that follow from what has
     /// changed in camera, suns and air: turning the camera makes new froxels alone, a new exposure or nothing makes none. After
-    /// update() and Atmosphere::record; earlier, nothing is recorded and the log says so. As there, a list that is never
-    /// executed calls for invalidate().
+    /// update() and Atmosphere::record; earlier, nothing is recorded and the log says so, once until it is mended. As there, a
+    /// list that is never executed calls for invalidate().
     void record(rhi::CommandList& commands, TimestampSlots timestamps = {});
     /// The view's tables are lost, as by Atmosphere::invalidate, which does this for all views: for a list of which only this
     /// view's recording was dropped. The next record() records everything anew. Allocates nothing.
@@ -222,7 +224,7 @@ public:
     /// Forgets textures that are about to be destroyed (a resized swapchain). Unknown targets are ignored.
     void release_composite(const CompositeTargets& targets) noexcept;
     /// Records the composite. `targets` must have been prepared, and the tables recorded since the air's structure changed;
-    /// else nothing is recorded, and the log says so.
+    /// else nothing is recorded, and the log says so, once for each set of targets.
     void record_composite(rhi::CommandList& commands, const CompositeTargets& targets, TimestampSlots timestamps = {});
     /// Of the latest record(): the model's passes, shadows, light (PassReport::name); of the latest record_composite(), the
     /// last: composite.

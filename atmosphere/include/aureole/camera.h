@@ -20,10 +20,11 @@ enum class DepthRange : std::uint8_t {
     zero_to_one,       ///< Vulkan, D3D, Metal, and GL with glClipControl. Stored as it is.
     minus_one_to_one,  ///< GL: stored as half of it, plus a half.
 };
-/// Where the target's row 0 is in clip space.
+/// Where row 0 of the target (and of colour and depth) is in clip space. In Vulkan the viewport decides, never the projection:
+/// its sign is read from the matrix.
 enum class RowOrder : std::uint8_t {
-    top_first,     ///< Row 0 of the target is where clip-space y points up (+1): y up in clip space, D3D and GL-on-screen.
-    bottom_first,  ///< Row 0 is where clip-space y is -1: Vulkan's clip space with an unflipped projection, GL textures.
+    top_first,     ///< Where clip-space y is +1: D3D, Metal, Vulkan with a viewport of negative height, GL on screen.
+    bottom_first,  ///< Where it is -1: Vulkan with a viewport of positive height, whatever the projection; GL textures.
 };
 
 /// A value out of range is Error(invalid_argument) from `validate` and View::update.

@@ -24,8 +24,8 @@ enum { AUREOLE_DEPTH_ZERO_TO_ONE = 0, AUREOLE_DEPTH_MINUS_ONE_TO_ONE = 1 };
 /** Which row of a picture is the first. */
 typedef uint32_t aureole_row_order;
 enum {
-    AUREOLE_ROWS_TOP_FIRST = 0,   /**< Row 0 is where clip-space y is +1. */
-    AUREOLE_ROWS_BOTTOM_FIRST = 1 /**< Row 0 is where clip-space y is -1: Vulkan's clip space with an unflipped projection. */
+    AUREOLE_ROWS_TOP_FIRST = 0,   /**< Row 0 is where clip-space y is +1: Vulkan with a viewport of negative height. */
+    AUREOLE_ROWS_BOTTOM_FIRST = 1 /**< Where it is -1: Vulkan with a viewport of positive height, whatever the projection. */
 };
 /** How radiance becomes what a display shows. */
 typedef uint32_t aureole_tone_map;

@@ -1,4 +1,4 @@
-// What leaves the envelope of stability is told to the log, each field once.
+// What is told to the log, once: what leaves the envelope of stability, misplaced cameras, recordings that come too early.
 #include "passes/rig.h"
 
 #include <aureole/envelope.h>
@@ -159,4 +159,78 @@ TEST_CASE("envelope: geometry at dusk by differences of half floats, where there
     CHECK(count(told(rhi::Format::rgba16_float, true), "suns[0].direction: elevation in degrees, of geometry: -") == 1);
     CHECK(told(rhi::Format::rgba16_float, false) == "");
     CHECK(told(rhi::Format::rgba32_float, true) == "");
+}
+
+TEST_CASE("view: recording too early says so, once until it can record, and records nothing") {
+    const auto cpu = open_cpu_float();
+    Setup setup;
+    setup.composite.target_format = rhi::Format::rgba32_float;
+    Rig rig(*cpu, setup);
+    constexpr rhi::Extent size{19, 11, 1};
+    const CompositeTargets targets{.target = cpu->make_target(rhi::Format::rgba32_float, size, rhi::State::storage_write),
+                                   .extent = size};
+    rig.view.prepare_composite(targets);
+    std::uint64_t commands_recorded = 0;
+    const auto record = [&] {
+        return logged(
+            [&] { commands_recorded = cpu->run([&](rhi::CommandList& commands) { rig.view.record(commands); }).total(); });
+    };
+    const auto compose = [&](const CompositeTargets& t) {
+        return logged([&] {
+            commands_recorded = cpu->run([&](rhi::CommandList& commands) { rig.view.record_composite(commands, t); }).total();
+        });
+    };
+    const auto told_once = [&](const auto& does, const char* text) {
+        CHECK(count(does(), text) == 1);
+        CHECK(does() == "");
+        CHECK(commands_recorded == 0);
+    };
+    told_once(record, "View::record: called before View::update");
+    rig.view.update(camera_at(setup.air.planet, 100), std::array{sun_at(30)});
+    told_once(record, "View::record: called before Atmosphere::record");
+    rig.record_air();
+    told_once([&] { return compose(targets); }, "View::record_composite: called before View::record");
+    CHECK(!rig.view.reports()[3].recorded);
+    CHECK(record() == "");
+    CHECK(commands_recorded > 0);
+    CHECK(compose(targets) == "");
+    CHECK(commands_recorded > 0);
+
+    CompositeTargets narrow = targets, flat = targets;
+    narrow.extent.width = 7;
+    flat.extent.height = 7;
+    for (const CompositeTargets& others : {narrow, flat})
+        told_once([&] { return compose(others); }, "not given to prepare_composite");
+    CHECK(compose(narrow) == "");  // told before those in between
+    CHECK(!rig.view.reports()[3].recorded);
+    rig.view.release_composite(targets);
+    told_once([&] { return compose(targets); }, "not given to prepare_composite");
+    rig.view.prepare_composite(targets);
+    rig.view.release_composite(targets);
+    told_once([&] { return compose(targets); }, "not given to prepare_composite");  // prepared in between
+
+    rig.air.invalidate();  // and too early once more
+    told_once(record, "View::record: called before Atmosphere::record");
+}
+
+TEST_CASE("view: a camera deep inside the planet is told to the log, once a change") {
+    const auto cpu = open_cpu_float();
+    Rig rig(*cpu, {});
+    const Planet planet = rig.setup.air.planet;
+    const Sun sun = sun_at(30);
+    const auto told = [&](double altitude_m) {
+        Camera camera = camera_at(planet, 0);
+        camera.position_m.z += altitude_m;
+        return logged([&] { rig.view.update(camera, {&sun, 1}); });
+    };
+    CHECK(told(100) == "");
+    CHECK(told(-0.49 * planet.bottom_radius_m) == "");
+    // As if the position were relative to an origin on the ground.
+    const std::string text = told(-planet.bottom_radius_m + 2);
+    CAPTURE(text);
+    CHECK(text.find("camera.position_m: 2 m from the planet's centre") != std::string::npos);
+    CHECK(text.find("in metres, relative to that centre (kilometres? the radius not added?)") != std::string::npos);
+    CHECK(told(-planet.bottom_radius_m + 3) == "");  // still so
+    CHECK(told(100) == "");
+    CHECK(told(-planet.bottom_radius_m + 2) != "");
 }

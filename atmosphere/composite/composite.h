@@ -10,7 +10,8 @@
 namespace aureole::detail {
 
 void validate(const CompositeSettings& settings);
-/// Throws Error(invalid_argument) naming what is missing, given twice, or of another format or size; (unsupported) for directions with `shadows`.
+/// Throws Error(invalid_argument) naming what is missing, given twice, or of another format or size; (unsupported) for
+/// directions with `shadows`.
 void check_targets(const rhi::Device& device, const CompositeSettings& settings, bool shadows, const CompositeTargets& targets);
 
 class CompositePass {

@@ -8,6 +8,7 @@
 Not asked: what says all by its name (values of enumerations, comparisons, destructors, copies), struct_size and X_defaults of the C API, which
 its first page explains for all, and what is declared alone.
 """
+import os
 import pathlib
 import subprocess
 import sys
@@ -93,7 +94,7 @@ def self_test():
         header = pathlib.Path(folder) / 'header.h'
         header.write_text(HEADER, encoding='utf-8')
         report = doxygen(f'INPUT = "{header}"\nEXTRACT_ALL = YES\nGENERATE_LATEX = NO\nHAVE_DOT = NO\nQUIET = YES\nWARN_IF_UNDOCUMENTED = NO\n'
-                         f'FILTER_PATTERNS = "*.h=python3 -B {pathlib.Path(__file__).with_name("share_comments.py")}"\n', folder)
+                         f'FILTER_PATTERNS = "*.h=python3 -B {os.path.relpath(pathlib.Path(__file__).with_name("share_comments.py"))}"\n', folder)
         report += check(pathlib.Path(folder) / 'xml')[1]
     missed = [each for each in SILENT if sum(f': {each} ' in line for line in report) != 1]
     return [f'self-test: wanted each of {SILENT} once, found {report}'] if missed or len(report) != len(SILENT) else []

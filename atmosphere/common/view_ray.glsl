@@ -42,7 +42,8 @@ ViewRay view_ray(real x, real y) {
     return ray;
 }
 
-// A direction as seen from the camera: its parts along and across the vertical, both exact near the zenith and the horizon.
+// A direction as seen from the camera: its parts along and across the vertical, both exact near the zenith and the horizon. Directions
+// are floats: within 1e-7 of the vertical there is no azimuth, and what it stands for is off by no more than that sine.
 struct ViewDirection {
     real mu;
     real sine;       // of the zenith angle

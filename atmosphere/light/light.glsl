@@ -27,7 +27,7 @@ SAMPLER_2D(14, sum_before)  // of the triplets before (triplet.glsl)
 LOCAL_SIZE(10, 1, 1)
 
 // However sharp a peak that the rule's directions meet or miss, from where a ring stands for comes no more than the sun's own beam and
-// what is diffuse.
+// what is diffuse: of what each run gathers, of three wavelengths in RGB.
 vec3 sky_coefficient(int sun, int coefficient) {
     vec3 sum = vec3(real(0));
     for (int ring = 0; ring < LIGHT_RINGS; ++ring) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace aureole::detail {
 
@@ -28,16 +29,16 @@ class ToldTargets {
 public:
     /// True where `targets` have not been told yet.
     bool begins(const CompositeTargets& targets) noexcept {
-        if (std::ranges::find(told_, targets) != told_.end()) return false;
+        if (std::ranges::find(told_, std::optional(targets)) != told_.end()) return false;
         told_[next_] = targets;
         next_ = (next_ + 1) % count;
         return true;
     }
-    void end(const CompositeTargets& targets) noexcept { std::ranges::replace(told_, targets, CompositeTargets{}); }
+    void end(const CompositeTargets& targets) noexcept { std::ranges::replace(told_, std::optional(targets), std::nullopt); }
 
 private:
     static constexpr std::size_t count = 16;
-    std::array<CompositeTargets, count> told_{};
+    std::array<std::optional<CompositeTargets>, count> told_{};
     std::size_t next_ = 0;
 };
 

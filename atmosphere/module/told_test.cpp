@@ -199,7 +199,7 @@ TEST_CASE("view: recording too early says so, once until it can record, and reco
     CompositeTargets narrow = targets, flat = targets;
     narrow.extent.width = 7;
     flat.extent.height = 7;
-    for (const CompositeTargets& others : {narrow, flat})
+    for (const CompositeTargets& others : {narrow, flat, CompositeTargets{}})
         told_once([&] { return compose(others); }, "not given to prepare_composite");
     CHECK(compose(narrow) == "");  // told before those in between
     CHECK(!rig.view.reports()[3].recorded);

@@ -68,7 +68,7 @@ public:
             if (steering.quit) break;
             steer(options_.dive ? down() : steering);
             // Reading a picture back makes the device wait: at a window seldom, but in each of a few frames without one.
-            if (!scene_.exposure.factor && frame > 0 && (options_.frames != 0 || frame % frames_a_metering == 0)) meter();
+            if (!scene_.exposure.factor && frame > 0 && (options_.frames != 0 || frame % frames_a_metering == 1)) meter();
             draw();
             const bool last = options_.frames != 0 && frame == options_.frames + light_is_late - 1;
             if (last && !options_.screenshot.empty())

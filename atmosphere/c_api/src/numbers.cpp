@@ -99,8 +99,8 @@ Fields fields_of(HillaireSettings& s) {
 }
 
 Fields with_dome(Fields fields, Dome& dome) {
-    for (const Named& more : Fields{{"dome.width", &dome.size.width},
-                                    {"dome.height", &dome.size.height},
+    for (const Named& more : Fields{{"dome.size.width", &dome.size.width},
+                                    {"dome.size.height", &dome.size.height},
                                     {"dome.phase", &dome.phase},
                                     {"dome.format", &dome.format}})
         fields.push_back(more);
@@ -277,7 +277,11 @@ ModelPtr c_api::read_model(const aureole_setting* setting, const Setting& chosen
 aureole_result aureole_get_setting_number(const aureole_setting* setting, uint32_t index, aureole_number* out_number,
                                           uint32_t* out_count) {
     return guarded([&] {
-        const Numbers numbers = make_by_numbers(read_setting(setting), numbers_in(setting));
+        // A setting that creates no atmosphere has no numbers, and simplifications are told by no number.
+        const Setting chosen = read_setting(setting);
+        validate(chosen);
+        refuse_simplifications(chosen);
+        const Numbers numbers = make_by_numbers(chosen, numbers_in(setting));
         const std::size_t count = numbers.values.size();
         if (!out_count) given(out_number, "out_number");
         if (out_number && index >= count)

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <sstream>
 #include <string>
 
 namespace aureole::viewer {
@@ -26,6 +27,15 @@ constexpr std::array<Column, 7> columns{{{"time_s", &PathPoint::time_s},
                                          {"bearing_deg", &PathPoint::bearing_deg, true},
                                          {"elevation_deg", &PathPoint::elevation_deg},
                                          {"vertical_fov_deg", &PathPoint::vertical_fov_deg}}};
+
+/// The first line that is no comment: the names of the columns.
+std::string header_of(const std::string& text) {
+    std::istringstream lines(text);
+    std::string line;
+    while (std::getline(lines, line) && (line.empty() || line.front() == '#')) {
+    }
+    return line;
+}
 
 /// "sun_2_bearing_deg" and "sun_2_elevation_deg".
 std::array<std::string, 2> sun_columns(std::size_t sun) {
@@ -123,8 +133,9 @@ void write_path(const std::filesystem::path& file, const Path& path) {
 
 Path read_path(const std::filesystem::path& file) {
     const std::string text = app::read_text(file);
+    const std::string header = header_of(text);
     std::size_t suns = 0;
-    while (text.find(sun_columns(suns)[0]) != std::string::npos) ++suns;
+    while (header.find(sun_columns(suns)[0]) != std::string::npos) ++suns;
     const std::vector<std::string> names = names_of(suns);
     const std::vector<std::string_view> views(names.begin(), names.end());
     const app::CsvTable table = app::parse_csv(text, file.string(), views);

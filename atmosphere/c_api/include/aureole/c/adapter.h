@@ -92,12 +92,12 @@ typedef struct aureole_binding_set_desc {
 
 /** Work recorded before is finished and visible to work recorded after, and the texture goes from one state to another. */
 typedef struct aureole_texture_barrier {
-    aureole_texture texture;     /**< Which one. Of a binding: 0 for constants. */
+    aureole_texture texture;     /**< Which one: made by the device, or lent. */
     aureole_state before, after; /**< The state that it is in, and the one it goes to. */
 } aureole_texture_barrier;
 /** The same of a buffer. */
 typedef struct aureole_buffer_barrier {
-    aureole_buffer buffer;       /**< Which one. Of a binding: 0 for textures. */
+    aureole_buffer buffer;       /**< Which one: of any usage. */
     aureole_state before, after; /**< The state that it is in, and the one it goes to. */
 } aureole_buffer_barrier;
 /** Runs a compute pipeline. */

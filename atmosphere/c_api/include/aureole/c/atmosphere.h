@@ -13,8 +13,8 @@ extern "C" {
 /** The air of one planet on one device: its tables, and what makes them. */
 typedef struct aureole_atmosphere aureole_atmosphere;
 
-/** One number of a model's settings, by the name of its field in C++ ("sky_view.width", "orders", "dome.height"). Booleans are
- * 0 or 1, enumerators count from 0, formats are those of aureole_format. Fields, meanings and ranges: c_api.md, and
+/** One number of a model's settings, by the name of its field in C++ ("sky_view.width", "orders", "dome.size.height"). Booleans
+ * are 0 or 1, enumerators count from 0, formats are those of aureole_format. Fields, meanings and ranges: c_api.md, and
  * aureole/quality.h and the header of the model in aureole/models. */
 typedef struct aureole_number {
     const char* name; /**< Of the field. */
@@ -36,8 +36,9 @@ typedef struct aureole_setting {
 /** aureole, default, rgb, nothing left out. */
 AUREOLE_API aureole_result aureole_setting_defaults(aureole_setting* setting);
 /** What `setting` makes of number `index` of its model, in [0, out_count): its name, which lives as long as the library, and
- * its value. `out_count` may be NULL, and so may `out_number`, to learn the count alone. AUREOLE_INVALID_ARGUMENT for a number
- * that there is not, is no number or is out of its range: as aureole_create_atmosphere has it. */
+ * its value. `out_count` may be NULL, and so may `out_number`, to learn the count alone. Simplifications in `without` are
+ * refused, as beside numbers. AUREOLE_INVALID_ARGUMENT for a number that there is not, is no number or is out of its range: as
+ * aureole_create_atmosphere has it. */
 AUREOLE_API aureole_result aureole_get_setting_number(const aureole_setting* setting, uint32_t index,
                                                       aureole_number* out_number, uint32_t* out_count);
 

@@ -117,8 +117,8 @@ AUREOLE_API aureole_result aureole_borrowed_vulkan_defaults(aureole_borrowed_vul
 /** AUREOLE_UNSUPPORTED names what the device lacks. Nothing of the struct is kept but what it names. */
 AUREOLE_API aureole_result aureole_borrow_vulkan_device(const aureole_borrowed_vulkan* host, aureole_device** out_device);
 
-/** AUREOLE_MISUSE while an atmosphere of the device lives. Waits for work of the device's own queue; a host has waited for the
- * work of its own. Frees everything made from it. */
+/** AUREOLE_MISUSE while an atmosphere or a planned sky of the device lives. Waits for work of the device's own queue; a host
+ * has waited for the work of its own. Frees everything made from it. */
 AUREOLE_API aureole_result aureole_destroy_device(aureole_device* device);
 
 /** Strings live as long as the device. */

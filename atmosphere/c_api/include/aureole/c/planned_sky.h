@@ -1,4 +1,5 @@
-/* A sky that follows its plan: planned anew as sun and camera move, faded from one to the next. See aureole.h. */
+/** \file
+ * A sky that follows its plan: planned anew as sun and camera move, faded from one to the next. See aureole.h. */
 #ifndef AUREOLE_C_PLANNED_SKY_H
 #define AUREOLE_C_PLANNED_SKY_H
 
@@ -87,7 +88,8 @@ AUREOLE_API aureole_result aureole_invalidate_planned_sky(aureole_planned_sky* s
 /** Light tables for the host's own materials: `after` fades in by `share`. Textures live until the next update. */
 typedef struct aureole_planned_light {
     uint32_t struct_size;
-    aureole_texture before; /**< 0 before the first recording, and where aureole_requirements::light is 0. */
+    aureole_texture before; /**< 0 before the first recording, after an invalidation until the next, and where
+                               aureole_requirements::light is 0. */
     aureole_texture after;  /**< 0 unless a new sky is fading in. */
     double share;           /**< Of `after`, in [0, 1]. */
 } aureole_planned_light;

@@ -17,7 +17,7 @@ def main(folder):
         body = re.search(r'Fields fields_of\(' + struct + r'& s\) {(.*?)\n}', source, re.S)[1]
         names = set(re.findall(r'{"([\w.]+)", &s\.', body))
         if model == 'single':
-            names |= set(re.findall(r'{"(dome\.\w+)", ', source))
+            names |= set(re.findall(r'{"(dome\.[\w.]+)", ', source))
         row = re.search(r'^\| `' + model + r'` .*?\| (.*) \|$', page, re.M)[1]
         listed = set(re.findall(r'`([\w.]+)`', row))
         problems += [f'{model}: {name} is not on the page' for name in sorted(names - listed)]

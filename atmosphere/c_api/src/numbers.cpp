@@ -205,7 +205,8 @@ private:
             try {
                 (void)make_(settings_);
             } catch (const Error& error) {
-                if (error.field() == name) allowed = error.allowed();
+                // A size whose other half is 0 is refused by the other's name, which has the same range.
+                allowed = (error.field() == name ? "" : "as of " + error.field() + ", ") + error.allowed();
             }
             allowed = "whole numbers: " + allowed;
         }

@@ -13,7 +13,8 @@ TEST_CASE("the look-ups compile in every stage of a host's shaders, for Vulkan a
         INFO(scene.name);
         const Shown shown(passes::open_cpu_float(), scene);
         for (const char* stage : {"comp", "frag", "vert"}) {
-            for (const auto& [opengl, shadows] : {std::pair{false, true}, {true, true}, {false, false}}) {
+            for (const auto& one : {std::pair{false, true}, {true, true}, {false, false}}) {
+                const bool opengl = one.first, shadows = one.second;
                 HostShader shader;
                 shader.shadows = shadows;
                 shader.defines = shown.rig.view.shader_defines();

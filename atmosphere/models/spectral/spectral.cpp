@@ -122,8 +122,7 @@ void InnerReports::add_to(PassReport& report) const noexcept {
 
 SpectralAir::SpectralAir(AirResources& shared, const AtmosphereParameters& parameters, const ModelPtr& inner,
                          const models::SpectralSettings& settings)
-    : shared_(shared),
-      inner_(inner),
+    : inner_(inner),
       settings_(settings),
       triplets_(spectrum::triplets(settings.wavelengths)),
       weights_(weights_of(triplets_, models::solar_rec709(settings.wavelengths))),

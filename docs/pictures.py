@@ -52,6 +52,15 @@ def render(program, scene, size, folder, options=()):
     return Image.open(output).convert('RGB').copy()
 
 
+def panel(program, scene, text, folder):
+    """A fisheye's circle in the middle; all else fills the panel."""
+    if 'projection = "fisheye"' not in text:
+        return render(program, scene, PANEL, folder)
+    whole = Image.new('RGB', PANEL)
+    whole.paste(render(program, scene, (PANEL[1], PANEL[1]), folder), ((PANEL[0] - PANEL[1]) // 2, 0))
+    return whole
+
+
 def beside(panels):
     """In rows of four at most; of seven four and three."""
     gap, (width, height) = 4, PANEL
@@ -82,11 +91,11 @@ def main():
             for text in variants(path.read_text(encoding='utf-8')):
                 scene = folder / path.name
                 scene.write_text(text, encoding='utf-8')
-                panels.append(render(options.program, scene, PANEL, folder))
+                panels.append(panel(options.program, scene, text, folder))
             save(beside(panels), DOCS / 'images/pictures' / f'{path.stem}.jpg')
             if APART in path.read_text(encoding='utf-8'):
-                for value, panel in zip(values(path.read_text(encoding='utf-8')), panels):
-                    save(panel, DOCS / 'images/pictures' / f'{path.stem}-{value}.jpg')
+                for value, one in zip(values(path.read_text(encoding='utf-8')), panels):
+                    save(one, DOCS / 'images/pictures' / f'{path.stem}-{value}.jpg')
         for path in filter(wanted, sorted((DOCS.parent / 'samples/scenes').glob('*.toml'))):
             if not path.stem.startswith(NO_PICTURES):
                 save(render(options.program, path, GALLERY, folder), DOCS / 'images/gallery' / f'{path.stem}.jpg')

@@ -195,7 +195,7 @@ void FrameRenderer::make_targets() {
     CompositeSettings linear = shown;
     linear.target_format = rhi::Format::rgba32_float;
     shown.target_format = rhi::Format::rgba8_unorm;
-    shown.tone_map = ToneMap::aces_fitted;
+    shown.tone_map = scene_.tone_map;
     shown.encode_srgb = shown.dither = true;
     const rhi::Extent extent{options_.width * options_.samples, options_.height * options_.samples, 1};
     const auto make = [&] {

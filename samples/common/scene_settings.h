@@ -23,6 +23,7 @@ inline ViewSettings view_settings(const Scene& scene, bool land, std::uint32_t c
         settings.shadows.cascades = cascades;
         settings.shadows.distance_m = scene.terrain->air_shadows_m;
         settings.shadows.size = {96, 64, 42};
+        settings.shadows.samples = scene.terrain->air_shadow_samples;
     }
     return settings;
 }

@@ -5,6 +5,7 @@
 
 #include <aureole/models/spectral.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -67,10 +68,18 @@ SceneTerrain read_terrain(Section section, const std::filesystem::path& folder) 
     terrain.camera_north_m = section.number("camera_north_m", {-1e6, 1e6}).value_or(0);
     terrain.range_m = section.number("range_m", {100, 1e6}).value_or(terrain.range_m);
     terrain.air_shadows_m = section.number("air_shadows_m", {0, 1e6}).value_or(0);
+    if (const auto samples = section.number("air_shadow_samples", {1, 64})) {
+        if (*samples != std::floor(*samples))
+            section.reject("air_shadow_samples", section.printed("air_shadow_samples"), "a whole number in [1, 64]");
+        terrain.air_shadow_samples = static_cast<std::uint32_t>(*samples);
+    }
     terrain.albedo = section.rgb("albedo", {0, 1});
     section.finish();
     return terrain;
 }
+
+/// In the order of ToneMap.
+constexpr std::array<std::string_view, 2> tone_map_names{"none", "aces_fitted"};
 
 void read_exposure(Section& root, SceneExposure& exposure) {
     exposure.stops = root.number("exposure_stops", {-30, 30}).value_or(0);
@@ -101,6 +110,7 @@ Scene read_root(Section root, const std::filesystem::path& folder) {
     scene.title = root.text("title").value_or("");
     read_size(root, scene);
     read_exposure(root, scene.exposure);
+    if (const auto map = root.choice("tone_map", tone_map_names)) scene.tone_map = static_cast<ToneMap>(*map);
     scene.sun_disk = root.boolean("sun_disk").value_or(true);
     scene.sun_lobe_g = root.number("sun_lobe_g", {0, 0.9999}).value_or(0);
     if (const auto model = root.choice("model", model_names())) scene.model.name = model_names()[*model];

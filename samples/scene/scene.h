@@ -1,6 +1,7 @@
 // What a picture is made of, as scene files state it (docs/scenes.md).
 #pragma once
 
+#include <aureole/atmosphere.h>
 #include <aureole/camera.h>
 #include <aureole/model.h>
 #include <aureole/parameters.h>
@@ -50,7 +51,8 @@ struct SceneTerrain {
     double camera_east_m = 0, camera_north_m = 0;  ///< Of the camera, from the middle of the map.
     double range_m = 250e3;                        ///< How far from the camera terrain is looked for.
     double air_shadows_m = 0;                      ///< How far from the camera the land shadows the air; 0: not at all.
-    std::optional<Rgb> albedo;                     ///< None: fields, forest and rock by slope and altitude.
+    std::uint32_t air_shadow_samples = ShadowSettings{}.samples;
+    std::optional<Rgb> albedo;  ///< None: fields, forest and rock by slope and altitude.
     [[nodiscard]] bool operator==(const SceneTerrain&) const = default;
 };
 
@@ -82,6 +84,7 @@ struct Scene {
     std::vector<SceneSun> suns;
     SceneCamera camera;
     SceneExposure exposure;
+    ToneMap tone_map = ToneMap::aces_fitted;  ///< Of pictures of eight bits.
     bool sun_disk = true;
     double sun_lobe_g = 0;  ///< CompositeSettings::sun_lobe_g
     SceneModel model;

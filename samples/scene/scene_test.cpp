@@ -39,6 +39,7 @@ title = "All"
 size = [320, 200]
 exposure = 12.5
 exposure_stops = -1
+tone_map = "none"
 sun_disk = false
 model = "aureole"
 quality = "high"
@@ -73,6 +74,7 @@ albedo = [0.1, 0.2, 0.3]
     CHECK(scene.height == 200);
     CHECK(scene.exposure.factor == 12.5);
     CHECK(scene.exposure.stops == -1);
+    CHECK(scene.tone_map == ToneMap::none);
     CHECK_FALSE(scene.sun_disk);
     CHECK(scene.model.name == "aureole");
     CHECK(scene.model.quality == "high");
@@ -207,6 +209,10 @@ TEST_CASE("parse_scene: faults elsewhere") {
     CHECK(contains(rejected("exposure = 0"), "t.toml:1: exposure: 0"));
     CHECK(contains(rejected("exposure = \"automatic\""), "allowed: \"auto\""));
     CHECK(contains(rejected("exposure_stops = 100"), "t.toml:1: exposure_stops: 100"));
+    CHECK(contains(rejected("[terrain]\nheightmap = \"jacksboro\"\nair_shadow_samples = 2.5"),
+                   "allowed: a whole number in [1, 64]"));
+    CHECK(contains(rejected("tone_map = \"filmic\""),
+                   "t.toml:1: tone_map: \"filmic\" is not allowed; allowed: \"none\", \"aces_fitted\""));
     CHECK(contains(rejected("quality = \"ultra\""), "allowed: \"low\", \"default\", \"high\""));
     CHECK(contains(rejected("model = \"preetham\""), "t.toml:1: model: \"preetham\" is not allowed; allowed: \""));
     CHECK(contains(rejected("model = 1"), "t.toml:1: model: 1 is not allowed; allowed: \""));

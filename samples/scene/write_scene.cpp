@@ -90,6 +90,7 @@ void print_picture(Writer& out, const Scene& scene) {
     out.key("size", "[" + std::to_string(scene.width) + ", " + std::to_string(scene.height) + "]");
     out.key("exposure", scene.exposure.factor ? print_number(*scene.exposure.factor) : "\"auto\"");
     out.number("exposure_stops", scene.exposure.stops);
+    out.key("tone_map", scene.tone_map == ToneMap::none ? "\"none\"" : "\"aces_fitted\"");
     out.key("sun_disk", scene.sun_disk ? "true" : "false");
     out.number("sun_lobe_g", scene.sun_lobe_g);
     out.key("model", quoted(scene.model.name));
@@ -163,6 +164,7 @@ void print_terrain(Writer& out, const SceneTerrain& terrain, const std::filesyst
     out.number("camera_north_m", terrain.camera_north_m);
     out.number("range_m", terrain.range_m);
     out.number("air_shadows_m", terrain.air_shadows_m);
+    out.number("air_shadow_samples", terrain.air_shadow_samples);
     if (terrain.albedo) out.key("albedo", colour(*terrain.albedo));
 }
 

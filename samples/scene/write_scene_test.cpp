@@ -38,6 +38,7 @@ title = 'a "quoted" \ title'
 size = [321, 123]
 exposure = 0.1
 exposure_stops = -1.7
+tone_map = "none"
 sun_disk = false
 sun_lobe_g = 0.123456789
 model = "hillaire"

@@ -142,8 +142,9 @@ TEST_CASE("pack_atmosphere: the tables' axis of altitude is stretched to the low
     AtmosphereParameters air = presets::earth();
     CHECK(pack_atmosphere(air).block.tables.z == 0);
     air.terms.push_back(haze(HenyeyGreensteinPhase{0.5}, 1e-3));
-    for (const auto& [scale_height, stretch] :
+    for (const auto& [height, stretch] :
          {std::pair(1200.0, 0.0f), {900.0, 1.0f}, {300.0, 1.0f}, {100.0, 3.0f}, {60.0, 7.0f}, {10.0, 15.0f}, {0.01, 31.0f}}) {
+        const double scale_height = height;
         CAPTURE(scale_height);
         std::get<ExponentialProfile>(air.terms.back().profile).scale_height_m = scale_height;
         air.terms.back().scattering_per_m = Rgb(0.1 / scale_height);

@@ -318,7 +318,9 @@ TEST_CASE("planned sky: the air before near geometry comes where the hour calls 
         const View view(air, settings, {.target_format = rhi::Format::rgba32_float});
         return std::abs(double(shown.sky.table_bytes()) - double(air.table_bytes() + view.table_bytes()));
     };
-    for (const auto& [sun_deg, drawn] : {std::pair{50.0, false}, {1.0, true}, {50.0, false}}) {
+    for (const auto& hour : {std::pair{50.0, false}, {1.0, true}, {50.0, false}}) {
+        const auto& sun_deg = hour.first;
+        const auto& drawn = hour.second;
         CAPTURE(sun_deg);
         const PlanUpdate update = go_to(sun_deg);
         CHECK(update.planned);

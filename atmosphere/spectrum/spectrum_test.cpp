@@ -89,7 +89,9 @@ TEST_CASE("spectrum: the standard atmosphere") {
     const std::vector<std::pair<std::size_t, double>> table{
         {0, 1.2250},     {10, 1.1117},    {50, 0.73643},    {100, 0.41351},   {150, 0.19476},
         {200, 0.088910}, {300, 0.018410}, {500, 1.0269e-3}, {700, 8.2829e-5}, {800, 1.8458e-5}};
-    for (const auto& [hundreds, density] : table) {
+    for (const auto& row : table) {
+        const auto& hundreds = row.first;
+        const auto& density = row.second;
         CAPTURE(hundreds);
         CHECK(air.altitude_m[hundreds] == 100.0 * static_cast<double>(hundreds));
         CHECK(relative(air.density[hundreds], density / 1.2250) < 2e-4);

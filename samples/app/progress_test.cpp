@@ -41,7 +41,7 @@ TEST_CASE("Progress: of work whose end is an estimate") {
     REQUIRE(file);
     Progress progress(100, file, false);
     progress.start_at(52);
-    for (const std::size_t done : {55, 61, 58, 62, 62, 70, 69, 70, 100}) progress.reach(done);
+    for (const std::size_t done : {55U, 61U, 58U, 62U, 62U, 70U, 69U, 70U, 100U}) progress.reach(done);
     std::fclose(file);
     const std::string text = get("share.txt");
     CHECK(std::count(text.begin(), text.end(), '\n') == 3);  // 61, 70, 100: each tenth once, though it came twice

@@ -79,9 +79,7 @@ class SceneByScene {
 public:
     /// `wanted`: how well values must be known.
     SceneByScene(const Suite& suite, std::size_t air, TruthKind kind, const TruthTable::Wanted& wanted)
-        : suite_(suite),
-          air_(suite.airs[air]),
-          kind_(kind),
+        : air_(suite.airs[air]),
           wanted_(wanted),
           file_(truth_file(suite, air_, kind)),
           parameters_(truth_parameters(air_)),
@@ -108,9 +106,7 @@ public:
     [[nodiscard]] TruthTable& table() { return table_; }
 
 private:
-    const Suite& suite_;
     const SuiteAir& air_;
-    TruthKind kind_;
     TruthTable::Wanted wanted_;
     std::filesystem::path file_;
     TraceParameters parameters_;

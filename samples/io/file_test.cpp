@@ -45,8 +45,9 @@ TEST_CASE("NewFile: a signal that ends the program leaves nothing behind") {
         remove_unfinished_on_signals();
     };
     own.sa_flags = static_cast<int>(SA_RESETHAND);
-    for (const auto& [signal, has_handler] :
-         {std::pair(SIGHUP, false), {SIGINT, false}, {SIGTERM, false}, {SIGINT, true}, {SIGTERM, true}}) {
+    for (const auto& one : {std::pair(SIGHUP, false), {SIGINT, false}, {SIGTERM, false}, {SIGINT, true}, {SIGTERM, true}}) {
+        const auto& signal = one.first;
+        const auto& has_handler = one.second;
         CAPTURE(signal);
         CAPTURE(has_handler);
         std::filesystem::remove_all("interrupted");

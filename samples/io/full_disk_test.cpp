@@ -73,7 +73,7 @@ std::vector<Writer> writers(std::uint32_t side) {
 }  // namespace
 
 TEST_CASE("a full disk: every writer says so, leaves the old file and nothing else, and can go on") {
-    for (const std::uint32_t side : {4, 200})
+    for (const std::uint32_t side : {4U, 200U})
         for (const Writer& writer : writers(side)) {
             CAPTURE(writer.name);
             CAPTURE(side);

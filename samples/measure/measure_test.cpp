@@ -78,8 +78,9 @@ const json& result(const json& all, const std::string& scene, const std::string&
 /// Of every region, and of light: the parts together bound the error, and none is there without the others.
 void check_split(const json& one) {
     std::size_t regions = 0;
-    for (const auto& [name, region] : one.at("regions").items()) {
+    for (const auto& [key, region] : one.at("regions").items()) {
         if (region.at("rows") == 0) continue;
+        const std::string& name = key;
         CAPTURE(name);
         const json& split = one.at("split").at(name);
         for (const char* part : {"rounding", "discretisation", "model", "sum"})

@@ -49,7 +49,9 @@ TEST_CASE("quality.md: every knob of every setting") {
         CAPTURE(settings[i]);
         const auto expected = knobs(QualitySettings::by_name(settings[i]));
         CHECK(rows.size() == expected.size());
-        for (const auto& [name, value] : expected) {
+        for (const auto& knob : expected) {
+            const auto& name = knob.first;
+            const auto& value = knob.second;
             CAPTURE(name);
             REQUIRE(rows.count(name) == 1);
             CHECK(rows[name].at(i) == value);

@@ -13,7 +13,8 @@ TEST_CASE("the look-ups compile in every stage of a host's shaders, for Vulkan a
         INFO(scene.name);
         const Shown shown(passes::open_cpu_float(), scene);
         for (const char* stage : {"comp", "frag", "vert"}) {
-            for (const auto& [opengl, shadows] : {std::pair{false, true}, {true, true}, {false, false}}) {
+            for (const auto& one : {std::pair{false, true}, {true, true}, {false, false}}) {
+                const bool opengl = one.first, shadows = one.second;
                 HostShader shader;
                 shader.shadows = shadows;
                 shader.defines = shown.rig.view.shader_defines();
@@ -25,6 +26,27 @@ TEST_CASE("the look-ups compile in every stage of a host's shaders, for Vulkan a
                 CAPTURE(shadows);
                 CHECK(compiled.spirv.size() > 1000);
             }
+        }
+    }
+}
+
+TEST_CASE("the display compiles in a shader of either API, beside names of the host's own, before and behind the look-ups") {
+    const std::string display = "#include \"aureole_display.glsl\"\n", lookups = "#include \"aureole.glsl\"\n";
+    const std::string body =
+        "const bool display = true;  // and other names that the texts use for themselves\n"
+        "float real(float PI) { return PI; }\n"
+        "layout(location = 0) out vec4 shown;\n"
+        "void main() { shown = vec4(aureole_display(vec3(0.5), 1, true, display, ivec2(gl_FragCoord.xy), real(3.0)), 1); }\n";
+    const Shown shown(passes::open_cpu_float(), noon());
+    const std::string defines = "#define AUREOLE_DEFINED_CONSTANTS\n" + shown.rig.view.shader_defines();
+    for (const Api api : {Api::vulkan, Api::opengl}) {
+        const std::string begin = std::string("#version 450\n#extension GL_GOOGLE_include_directive : require\n") +
+                                  (api == Api::opengl ? "#define AUREOLE_PLAIN_GLSL\n" : "") + defines;
+        for (const std::string& includes : {display, display + lookups, lookups + display, display + lookups + display}) {
+            const Compiled compiled = compile(begin + includes + body, "frag", api);
+            CAPTURE(includes);
+            CAPTURE(compiled.messages);
+            CHECK(compiled.spirv.size() > 500);
         }
     }
 }

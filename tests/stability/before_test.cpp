@@ -23,7 +23,6 @@ using namespace aureole::stability;
 
 namespace {
 
-constexpr double step = static_cast<double>(std::numeric_limits<float>::epsilon());  // of directions, which are floats
 template <class real>
 using Kernel = kernels::AirBeforeFormulas<real>;
 template <class real>

@@ -85,8 +85,10 @@ constexpr Limits limits[] = {{"fog", {0.001, 0.001, 4.8}},
 }  // namespace
 
 TEST_CASE("stability, frame by frame: a flight to space and a sunset flicker no more than the scene changes") {
-    for (const auto& [model, most] : limits)
+    for (const auto& limit : limits)
         for (const Flight& flight : flights) {
+            const auto& model = limit.model;
+            const auto& most = limit.most;
             INFO(model, ", ", flight.name);
             const Found found = fly({model, "low", "rgb", {}}, flight);
             if (std::getenv("AUREOLE_STABILITY_PRINT") != nullptr)

@@ -109,7 +109,9 @@ TEST_CASE("hillaire: a sky marched for each pixel, by its equations") {
                             {-0.99, 0, 0.1410673598, 0}}};
     CompositeTargets targets;
     targets.directions = cpu->make("directions", rhi::Format::rgba32_float, directions);
-    for (const auto& [altitude, elevation] : {std::pair(500.0, 50.0), {500.0, 8.0}, {8000.0, 20.0}}) {
+    for (const auto& place : {std::pair(500.0, 50.0), {500.0, 8.0}, {8000.0, 20.0}}) {
+        const auto& altitude = place.first;
+        const auto& elevation = place.second;
         rig.record_view(camera_at(setup.air.planet, altitude), sun_at(elevation));
         const Image shown = rig.show(directions.extent, targets);
         for (std::uint32_t i = 0; i < 6; ++i) {

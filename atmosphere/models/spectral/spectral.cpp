@@ -45,6 +45,7 @@ std::vector<SpectralSum> make_sums(Objects& objects, rhi::Sampler nearest, const
     std::vector<SpectralSum> sums;
     for (std::size_t i = 0; i < lists.front().size(); ++i) {
         std::vector<rhi::Texture> tables;
+        tables.reserve(lists.size());
         for (const std::vector<LightTexture>& list : lists) tables.push_back(list[i].table->handle);
         sums.emplace_back(objects, nearest, weights, lists.front()[i], tables);
     }
@@ -122,8 +123,7 @@ void InnerReports::add_to(PassReport& report) const noexcept {
 
 SpectralAir::SpectralAir(AirResources& shared, const AtmosphereParameters& parameters, const ModelPtr& inner,
                          const models::SpectralSettings& settings)
-    : shared_(shared),
-      inner_(inner),
+    : inner_(inner),
       settings_(settings),
       triplets_(spectrum::triplets(settings.wavelengths)),
       weights_(weights_of(triplets_, models::solar_rec709(settings.wavelengths))),

@@ -67,7 +67,6 @@ private:
     void finish_together(std::span<const Triplet> fresh);
     void record_weights(rhi::CommandList& commands);
 
-    AirResources& shared_;
     ModelPtr inner_;
     models::SpectralSettings settings_;
     std::vector<spectrum::Triplet> triplets_;

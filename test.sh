@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Builds Aureole and runs every test: all of them in the release build (Vulkan under the validation layer), then those that
-# need no graphics driver again under AddressSanitizer and UndefinedBehaviorSanitizer.
+# need no graphics driver again by clang++ under AddressSanitizer and UndefinedBehaviorSanitizer, with some seconds of libFuzzer for
+# each reader, and those of the CPU backend under ThreadSanitizer.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")" || exit 1
 
@@ -26,13 +27,13 @@ cmake/install_dependencies.sh "${install_options[@]}" || exit 1
 summary=()
 failed=no
 
-# run PRESET CTEST_OPTION...: builds one preset and runs its tests; a failure is kept for the summary.
+# run PRESET TARGET CTEST_OPTION...: builds a target of a preset and runs its tests; a failure is kept for the summary.
 run() {
-    local preset=$1 started=$SECONDS built log=build/$1/test.log
-    shift
+    local preset=$1 target=$2 started=$SECONDS built log=build/$1/test.log
+    shift 2
     echo
     echo "== $preset"
-    if ! cmake/build.sh "$preset"; then
+    if ! cmake/build.sh "$preset" "$target"; then
         summary+=("$preset: the build failed")
         failed=yes
         return
@@ -49,8 +50,10 @@ run() {
 
 export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1:detect_stack_use_after_return=1
 export UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
-run release
-run sanitize --label-exclude 'vulkan|slow'
+export TSAN_OPTIONS="suppressions='$PWD/tests/thread.supp'"
+run release all
+run sanitize all --label-exclude 'vulkan|slow'
+run thread backend_cpu_test --tests-regex '^backend_cpu_test$'
 
 echo
 echo "== summary ($SECONDS s)"

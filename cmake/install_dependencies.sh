@@ -4,7 +4,7 @@
 #   cmake/install_dependencies.sh [--no-install] [--tests] [--format] [--docs]
 #
 #   --no-install  only check: exit 1 and name what is missing
-#   --tests       also what ./test.sh needs (Vulkan validation layer, a browser, OGRE, the viewer's packages, a display in memory, what
+#   --tests       also what ./test.sh needs (Vulkan validation layer, a browser, clang++, OGRE, the viewer's packages, a display in memory, what
 #                 reads packages, manual pages and the headers' comments)
 #   --format      also what the checks of format and habits need (clang-format 14, clang-tidy 14)
 #   --docs        also what the documentation's site and its pictures are made with (mkdocs, doxygen, KaTeX, Pillow)
@@ -31,6 +31,7 @@ for argument in "$@"; do
         --no-install) install=no ;;
         --tests)
             packages+=(vulkan-validationlayers chromium)
+            packages+=(clang libclang-rt-14-dev)                             # sanitizers and libFuzzer
             packages+=(dpkg-dev pkg-config man-db)                           # what reads packages and manual pages
             packages+=(doxygen)                                              # what reads the public headers' comments
             packages+=(libglfw3-dev xvfb xauth)                              # samples with windows

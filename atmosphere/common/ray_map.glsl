@@ -33,14 +33,15 @@ RayMap ray_map(real span, real altitude, real mu, real decay, real extinction) {
     return map;
 }
 
-// Distance from the dense end, and its derivative to u.
+// Distance from the dense end, and its derivative to u. 1 - g = (1 - u) (1 + (1 - a) u): a stretch of a million leaves nothing of the
+// last digits of a difference.
+real map_stretched(RayMap map, real u) { return 1 + map.stretch * (1 - u) * (1 + (1 - map.linear) * u); }
 real map_distance(RayMap map, real u) {
     real g = u * (map.linear + (1 - map.linear) * u);
-    return map.span * g / (1 + map.stretch * (1 - g));
+    return map.span * g / map_stretched(map, u);
 }
 real map_rate(RayMap map, real u) {
-    real g = u * (map.linear + (1 - map.linear) * u);
-    real q = 1 + map.stretch * (1 - g);
+    real q = map_stretched(map, u);
     return map.span * (map.linear + 2 * (1 - map.linear) * u) * (1 + map.stretch) / (q * q);
 }
 

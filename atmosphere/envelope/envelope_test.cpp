@@ -1,4 +1,9 @@
+#include "envelope/tell.h"
+
 #include <aureole/envelope.h>
+#include <aureole/models/aureole.h>
+#include <aureole/models/bruneton.h>
+#include <aureole/models/single.h>
 #include <aureole/presets.h>
 
 #include <doctest/doctest.h>
@@ -18,11 +23,11 @@ Sun sun_at(double elevation_deg) {
     return {.direction = {std::cos(a), 0, std::sin(a)}};
 }
 
-std::vector<OutsideEnvelope> seen(double altitude_m, double elevation_deg, const InHalfFloats& in_half = {}) {
+std::vector<OutsideEnvelope> seen(double altitude_m, double elevation_deg, const KeptInTables& kept = {}) {
     Camera camera = look(planet.bottom_radius_m, 0, 0, 0, 1, 1);
     camera.position_m = {0, 0, planet.bottom_radius_m + altitude_m};
     const Sun sun = sun_at(elevation_deg);
-    return outside_envelope(planet, camera, {&sun, 1}, in_half);
+    return outside_envelope(planet, camera, {&sun, 1}, kept);
 }
 
 /// Its only remark is of this field, and says all there is to say.
@@ -105,15 +110,39 @@ TEST_CASE("envelope: extinction is that of all terms, their scales and tables in
 TEST_CASE("envelope: a camera and suns outside") {
     check_one(seen(1.5e9, 30), "camera.position_m: altitude in m", 1.5e9, EnvelopeAxis::altitude_m);
     CHECK(seen(2, -90).empty());
-    CHECK(seen(2, -8, {.sky = true}).empty());
-    CHECK(seen(2, 1, {.sky = true, .difference = true}).empty());
-    check_one(seen(2, -4, {.sky = true, .difference = true}), "suns[0].direction: elevation in degrees, of geometry", -4,
-              EnvelopeAxis::half_difference_sun_elevation_deg);
-    check_one(seen(2, -12, {.sky = true}), "suns[0].direction: elevation in degrees", -12,
+    CHECK(seen(2, -8, {.half_sky = true}).empty());
+    CHECK(seen(2, 1, {.half_sky = true, .half_difference = true}).empty());
+    check_one(seen(2, -4, {.half_sky = true, .half_difference = true}), "suns[0].direction: elevation in degrees, of geometry",
+              -4, EnvelopeAxis::half_difference_sun_elevation_deg);
+    check_one(seen(2, -12, {.half_sky = true}), "suns[0].direction: elevation in degrees", -12,
               EnvelopeAxis::half_sun_elevation_deg);
     // Directions of any length.
     Camera camera = look(planet.bottom_radius_m, 2, 0, 0, 1, 1);
     const Sun suns[] = {{.direction = {0, 0, 1e-100}}, {.direction = {0, 1e100, -2e100}}};
-    check_one(outside_envelope(planet, camera, suns, {.sky = true}), "suns[1].direction: elevation in degrees",
+    check_one(outside_envelope(planet, camera, suns, {.half_sky = true}), "suns[1].direction: elevation in degrees",
               -std::atan(2.0) * 180 / std::numbers::pi, EnvelopeAxis::half_sun_elevation_deg);
+    CHECK(seen(2, -11, {.coarse_sun_axis = true}).empty());
+    CHECK(seen(2, -18).empty());
+    check_one(seen(2, -13, {.coarse_sun_axis = true}), "suns[0].direction: elevation in degrees, in so large or thick an air",
+              -13, EnvelopeAxis::table_sun_elevation_deg);
+}
+
+TEST_CASE("envelope: what of a model's tables ends in twilight") {
+    AtmosphereParameters air = presets::earth();
+    models::BrunetonSettings tables;
+    for (const rhi::Format format : {rhi::Format::rgba16_float, rhi::Format::rgba32_float}) {
+        tables.format = format;
+        const KeptInTables kept = detail::kept_in_tables(*models::bruneton(tables), air);
+        CHECK(!kept.half_sky);
+        CHECK(kept.half_difference == (format == rhi::Format::rgba16_float));
+        CHECK(!kept.coarse_sun_axis);
+    }
+    const ModelPtr by_tables = models::bruneton(tables), by_rays = models::single({});
+    CHECK(!detail::kept_in_tables(*models::aureole(QualitySettings::high()), air).half_sky);
+    air.planet.bottom_radius_m = 8e6, air.planet.top_radius_m = 8.1e6;
+    CHECK(detail::kept_in_tables(*by_tables, air).coarse_sun_axis);
+    CHECK(!detail::kept_in_tables(*by_rays, air).coarse_sun_axis);
+    air = presets::earth();
+    air.terms[1].absorption_per_m = Rgb(0, 0, 2e-3);
+    CHECK(detail::kept_in_tables(*by_tables, air).coarse_sun_axis);
 }

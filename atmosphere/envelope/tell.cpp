@@ -21,12 +21,23 @@ void Teller::tell(std::vector<OutsideEnvelope> now) {
     known_ = std::move(now);
 }
 
-InHalfFloats kept_in_half(const Model& model, const AtmosphereParameters& parameters) {
-    InHalfFloats kept;
+namespace {
+
+/// Where bruneton's table in floats is within 1 % of that in double down to a sun of -18 degrees: by searches
+/// (docs/stability.md).
+bool has_deep_twilight(const AtmosphereParameters& parameters) {
+    return parameters.planet.bottom_radius_m <= 7e6 && greatest_extinction_per_m(parameters) <= 1e-3;
+}
+
+}  // namespace
+
+KeptInTables kept_in_tables(const Model& model, const AtmosphereParameters& parameters) {
+    KeptInTables kept;
     for (const ModelTable& table : model.tables_for(parameters)) {
         const bool half = table.format == rhi::Format::rgba16_float;
-        kept.sky |= half && (table.name == "sky-view table" || table.name == "dome");
-        kept.difference |= half && table.name == "scattering table";
+        kept.half_sky |= half && (table.name == "sky-view table" || table.name == "dome");
+        kept.half_difference |= half && table.name == "scattering table";
+        kept.coarse_sun_axis |= table.name == "scattering table" && !has_deep_twilight(parameters);
     }
     return kept;
 }

@@ -28,7 +28,10 @@ private:
     std::vector<OutsideEnvelope> known_;  // the last `now`
 };
 
-/// What the model keeps in half floats, with twilight as dark as it is: the sky that is shown; tables for geometry.
-[[nodiscard]] InHalfFloats kept_in_half(const Model& model, const AtmosphereParameters& parameters);
+/// Of all terms together, each at its greatest density, in the channel where it is greatest.
+[[nodiscard]] double greatest_extinction_per_m(const AtmosphereParameters& parameters);
+
+/// What of a model's tables ends in twilight.
+[[nodiscard]] KeptInTables kept_in_tables(const Model& model, const AtmosphereParameters& parameters);
 
 }  // namespace aureole::detail

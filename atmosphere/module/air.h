@@ -97,7 +97,7 @@ struct Atmosphere::Impl {
     std::unique_ptr<detail::AirTables> tables;
     std::vector<detail::AirUser*> users;
     std::vector<PassReport> reports;
-    InHalfFloats in_half{};                        // as kept_in_half says
+    KeptInTables kept_in_tables{};                 // as the function of this name says
     std::vector<const detail::Teller*> tellers{};  // of this air and of its views
     detail::Teller teller{tellers};
 

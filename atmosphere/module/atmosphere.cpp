@@ -170,7 +170,7 @@ Atmosphere::Impl::Impl(rhi::Device& device_in, const AtmosphereParameters& param
 }
 
 void Atmosphere::Impl::tell() {
-    in_half = detail::kept_in_half(*model, parameters);
+    kept_in_tables = detail::kept_in_tables(*model, parameters);
     teller.tell(outside_envelope(parameters));
 }
 

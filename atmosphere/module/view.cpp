@@ -190,9 +190,9 @@ void View::update(const Camera& camera, std::span<const Sun> suns) {
     detail::check_count("suns", suns.size(), 0, impl.settings.max_suns);
     impl.use(impl.pack(camera, suns), camera);
     impl.tell_if_deep(camera);
-    InHalfFloats in_half = impl.air.in_half;
-    in_half.difference &= impl.composite.scene_depth && impl.settings.aerial_perspective;
-    impl.teller.tell(outside_envelope(impl.air.parameters.planet, camera, suns, in_half));
+    KeptInTables kept = impl.air.kept_in_tables;
+    kept.half_difference &= impl.composite.scene_depth && impl.settings.aerial_perspective;
+    impl.teller.tell(outside_envelope(impl.air.parameters.planet, camera, suns, kept));
     impl.camera = camera;
     impl.suns.assign(suns.begin(), suns.end());
     impl.updated = true;

@@ -28,13 +28,15 @@ int moment_count() { return moments_up_to(ANGULAR_ORDER); }
 int moment_layer(int l, int m) { return moments_up_to(l - 1) + m; }
 
 // Axis of the sun cosine: dense around the terminator, where the field changes fast. x = (mu_s - c) / (w + |mu_s - c|).
-// Centre and width follow the planet: they scale with the dip of the horizon seen from the top of the air.
+// Centre and width follow the planet: they scale with the dip of the horizon seen from the top of the air. The last node is the zenith
+// to the last digit: there light knows no azimuth, and a trace of one would grow with every order in air of a hundred optical depths.
 real sun_position(real mu_s) {
     real d = mu_s - atm.sun_mapping.x;
     return (d / (atm.sun_mapping.y + abs(d)) - atm.sun_mapping.z) / (atm.sun_mapping.w - atm.sun_mapping.z);
 }
 real sun_mu_at(real position) {
     real x = atm.sun_mapping.z + position * (atm.sun_mapping.w - atm.sun_mapping.z);
+    if (position >= 1) return real(1);
     return clamp(atm.sun_mapping.x + atm.sun_mapping.y * x / (1 - abs(x)), real(-1), real(1));
 }
 // Axis of altitude: altitude_position (geometry.glsl), as in the transmittance table.

@@ -32,6 +32,8 @@ void sky_view_texel(ivec2 id) {
     real half_sine = sky_view_half_sine(position, below);
 
     Ray ray = camera_ray(half_sine, below, sky_view_azimuth_cosine(texel_to_unit(id.x, size.x)), sun);
+    // The limb of the top has no air: a rounding of its altitude is metres of it, and the next row a thousandth of those behind them.
+    if (view.camera.w > real(0.5) && row == rows - 1) ray.end = real(0);
     RayLight light = AUREOLE_SKY_VIEW_MARCH(ray);
     vec3 radiance = light.multiple;
     if (below) {

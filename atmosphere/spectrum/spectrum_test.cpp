@@ -160,6 +160,17 @@ TEST_CASE("spectrum: triplets add up to the same as the set") {
     }
 }
 
+TEST_CASE("spectrum: air at the ends of the tables' wavelengths is air, and a step beyond is refused") {
+    const AtmosphereParameters ends = earth({360, 830, 595});
+    validate(ends);
+    const Rgb depth = vertical_optical_depth(ends);
+    CHECK(depth.r > depth.b);
+    CHECK(depth.b > depth.g);
+    CHECK(depth.g > 0);
+    CHECK(rejected_field([] { (void)earth({359.9, 550, 440}); }) == "nm[0]");
+    CHECK(rejected_field([] { (void)earth({550, 440, 830.1}); }) == "nm[2]");
+}
+
 TEST_CASE("spectrum: what is out of range is rejected") {
     CHECK(rejected_field([] { (void)solar_irradiance(359); }) == "nm");
     CHECK(rejected_field([] { (void)ozone_cross_section(831); }) == "nm");

@@ -134,7 +134,7 @@ TEST_CASE("bare geometry: what is too noisy is asked for and not known") {
     }
 }
 
-TEST_CASE("bare geometry: what a ray shows nearer is foretold from farther along it") {
+TEST_CASE("bare geometry: what a ray shows nearer is foretold from farther along it" * doctest::test_suite("long")) {
     // Towards the sun and away from it both halves of a picture are alike, but for their distances: rays in pairs.
     const auto backend = open_backend({.name = "cpu-double"});
     for (const char* name : {"earth", "hazy_earth", "mars"})

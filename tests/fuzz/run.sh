@@ -15,7 +15,7 @@ seconds=${1:-60}
 readers=("$@")
 [ ${#readers[@]} != 0 ] || readers=(scene suite measurements checkpoint npz exr png csv parameters settings)
 
-cmake/build.sh fuzz "${readers[@]/#/fuzz_}"
+cmake/build.sh sanitize "${readers[@]/#/fuzz_}"
 
 export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1:allocator_may_return_null=0
 export UBSAN_OPTIONS=print_stacktrace=1
@@ -33,7 +33,7 @@ for reader in "${readers[@]}"; do
     [ "$reader" != exr ] || options+=(-malloc_limit_mb=2048)
     [ ! -f "tests/fuzz/$reader.dict" ] || options+=(-dict="tests/fuzz/$reader.dict")
     echo "== $reader, $seconds s"
-    if "build/fuzz/bin/fuzz_$reader" "${options[@]}" "$found" "tests/fuzz/corpus/$reader" < /dev/null > "$log" 2>&1; then
+    if "build/sanitize/bin/fuzz_$reader" "${options[@]}" "$found" "tests/fuzz/corpus/$reader" < /dev/null > "$log" 2>&1; then
         grep 'Done ' "$log"
     else
         tail -n 60 "$log"

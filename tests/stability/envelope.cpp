@@ -1,5 +1,6 @@
 // How far each model in float is from itself in double, along every axis: a line of CSV for each model, backend, storage and
 // value. docs/stability.md shows what came out; AUREOLE_STABILITY_PRINT=1 tells where each of the errors is.
+#include "stability/search.h"
 #include "stability/sweep.h"
 
 #ifdef AUREOLE_TESTS_HAVE_VULKAN
@@ -168,8 +169,40 @@ void run(const Stored& stored, std::size_t rung, const Sweep& axis, std::span<co
         }
 }
 
+/// As lines of worst_scenes.inc, each with the scene that it stands for; bounds are half as much again, a thousandth at least.
+void search_all(std::uint64_t starts, std::string_view only) {
+    for (const Rung& rung : searched_rungs()) {
+        if (!only.empty() && only != rung.name) continue;
+        ModelError error(rung);
+        for (const Subject subject : {Subject::sky, Subject::geometry}) {
+            const WorstScene worst = search(error, subject, 1, starts);
+            const char* of = subject == Subject::sky ? "sky" : "geometry";
+            std::printf("// %s: %.2g at %s.\n", of, worst.error, text_of(scene_at(worst.at, subject)).c_str());
+            std::printf("{\"%s\", Subject::%s, %.2g, {", rung.name, of, std::max(1.5 * worst.error, 1e-3));
+            for (std::size_t i = 0; i < worst.at.size(); ++i) std::printf("%s%.17g", i == 0 ? "" : ", ", worst.at[i]);
+            std::printf("}},\n");
+            std::fflush(stdout);
+        }
+    }
+}
+
+/// What the scenes that are kept have for an error, and where (AUREOLE_STABILITY_PRINT).
+void show_kept() {
+    for (const Rung& rung : searched_rungs()) {
+        Observer seen(physics::cpu_float(), rung.model), exact(physics::cpu_double(), rung.model);
+        for (const KeptScene& kept : kept_scenes()) {
+            if (std::string_view(kept.rung) != rung.name) continue;
+            const Scene scene = scene_at(kept.at, kept.subject);
+            const Errors errors = compare(seen, exact, scene, kept.subject, false);
+            std::printf("%s, %s: %.3g, at most %g, at %s\n", kept.rung, kept.subject == Subject::sky ? "sky" : "geometry",
+                        std::ranges::max(errors.picture), kept.bound, text_of(scene).c_str());
+        }
+    }
+}
+
 int usage() {
-    std::fputs("stability_envelope [AXIS|all] [cpu]\nAxes:", stderr);
+    std::fputs("stability_envelope [AXIS|all] [cpu]\nstability_envelope search STARTS [MODEL]\nstability_envelope kept\nAxes:",
+               stderr);
     for (const Sweep& axis : sweeps()) std::fprintf(stderr, " \"%s\"", axis.name);
     std::fputs("\n", stderr);
     return 2;
@@ -179,6 +212,16 @@ int usage() {
 
 int main(int count, char** words) {
     const std::string_view only = count > 1 ? words[1] : "all", with = count > 2 ? words[2] : "";
+    if ((count == 3 || count == 4) && only == "search") {
+        const std::uint64_t starts = std::strtoull(words[2], nullptr, 10);
+        if (starts < 4 || starts > 1'000'000) return usage();
+        search_all(starts, count == 4 ? words[3] : "");
+        return 0;
+    }
+    if (count == 2 && only == "kept") {
+        show_kept();
+        return 0;
+    }
     if (count > 3 || (count > 2 && with != "cpu")) return usage();
     const bool known = only == "all" || std::ranges::any_of(sweeps(), [&](const Sweep& axis) { return only == axis.name; });
     if (!known) return usage();

@@ -154,6 +154,21 @@ constexpr int random_scenes = 30;
 
 TEST_CASE("stability, envelope: 1 % of double at its ends") { check_ends(float_pairs(), ends(), sparse, 0.01); }
 
+// Rounding of coordinates of tables as long as they may be, and whatever two texels make of a sky, the same in float as in
+// double.
+TEST_CASE("stability, envelope: 1 % of double by tables as small and as long as may be" * doctest::test_suite("long")) {
+    for (Pair& pair : pairs(extreme_rungs()))
+        for (const double elevation_deg : {40.0, 1.0, -5.0})
+            for (const double altitude_m : {2.0, 3e4, 4e5}) {
+                Scene scene;
+                scene.air = presets::earth();
+                scene.altitude_m = altitude_m;
+                scene.sun_elevation_deg = elevation_deg;
+                for (const Subject subject : {Subject::sky, Subject::geometry})
+                    check(pair, {&scene, 1}, 0.01, "table size", subject);
+            }
+}
+
 // Of geometry 2 %: the air before it is a difference of entries.
 TEST_CASE("stability, envelope: 1 % with tables in half floats, above a hundred of their steps; 2 % of geometry") {
     std::vector<End> some = ends();

@@ -33,12 +33,16 @@ struct World {
         mu_s = to_float(2 * u[5] - 1);
         const double sines = std::sqrt((1 - mu) * (1 + mu) * (1 - mu_s) * (1 + mu_s));
         nu = to_float(std::clamp(mu * mu_s + sines * std::cos(pi * u[6]), -1.0, 1.0));
+        mu_day = to_float(std::max(std::abs(mu_s), 0.01));
+        const double day_sines = std::sqrt((1 - mu) * (1 + mu) * (1 - mu_day) * (1 + mu_day));
+        nu_day = to_float(std::clamp(std::abs(nu), mu * mu_day - day_sines, mu * mu_day + day_sines));
         x = to_float(logarithmic(1e-6, 1e2, u[7]));
         u01 = to_float(u[7]);
+        node = to_float(0.005 + 0.99 * u[7]);
         g = to_float(0.999 * (2 * u[8] - 1));
     }
     double radius_m, shell_m, height_m;
-    double h, mu, t_share, mu_s, nu, x, u01, g;  // lengths in km
+    double h, mu, t_share, mu_s, nu, mu_day, nu_day, x, u01, node, g;  // lengths in km; node: within those of the longest rule
 };
 
 Inputs air_of(const World& w) {
@@ -89,6 +93,8 @@ struct Functions {
         [[maybe_unused]] const real mu_s = static_cast<real>(w.mu_s), nu = static_cast<real>(w.nu);                \
         [[maybe_unused]] const real t = static_cast<real>(e.t), x = static_cast<real>(w.x);                        \
         [[maybe_unused]] const real u = static_cast<real>(w.u01), g = static_cast<real>(w.g);                      \
+        [[maybe_unused]] const real mu_day = static_cast<real>(w.mu_day), nu_day = static_cast<real>(w.nu_day);    \
+        [[maybe_unused]] const real node = static_cast<real>(w.node);                                              \
         [[maybe_unused]] const real h_t = static_cast<real>(e.altitude), end = static_cast<real>(e.length);        \
         [[maybe_unused]] const typename std::remove_cvref_t<decltype(k)>::Ray ray{h, mu, mu_s, nu, end, e.ground}; \
         return static_cast<double>(expression);                                                                    \
@@ -116,6 +122,19 @@ const Functions functions[] = {
     PROBE_TO("transmittance_mu", 32, "1", k.transmittance_mu(h, u), real(1)),
     PROBE_TO("sun_position", 8, "1", k.sun_position(mu_s), real(1)),
     PROBE_TO("sun_mu_at", 32, "1", k.sun_mu_at(u), real(1)),
+    // Where nodes lie is free, as long as rate and distance are of one map: near the dense end they are told from how far all
+    // reach.
+    PROBE_TO("map_distance of ray_map", 32, "value + that of u = 1/2",
+             k.map_distance(k.ray_map(end, h, std::abs(mu), k.atm.term_profile[0].x, x), node),
+             k.map_distance(k.ray_map(end, h, std::abs(mu), k.atm.term_profile[0].x, x), node) +
+                 k.map_distance(k.ray_map(end, h, std::abs(mu), k.atm.term_profile[0].x, x), real(0.5))),
+    PROBE_TO("map_rate of ray_map", 32, "value + that of u = 1/2",
+             k.map_rate(k.ray_map(end, h, std::abs(mu), k.atm.term_profile[0].x, x), node),
+             k.map_rate(k.ray_map(end, h, std::abs(mu), k.atm.term_profile[0].x, x), node) +
+                 k.map_rate(k.ray_map(end, h, std::abs(mu), k.atm.term_profile[0].x, x), real(0.5))),
+    PROBE("growing_step", 8, k.growing_step(t, 5, 16).t),
+    PROBE_TO("scatter_direction", 16, "1", k.scatter_direction(k.AZIMUTH_NODES, h).mu, real(1)),
+    PROBE_TO("scatter_direction, solid angle", 16, "1", k.scatter_direction(k.AZIMUTH_NODES, h).solid_angle, real(1)),
     PROBE("slice_position", 16, k.slice_position(u, 32)),
     PROBE_TO("term_density", 4, "value (1 + h / H)", k.term_density(0, h),
              k.term_density(0, h) * (1 + h * k.atm.term_profile[0].x)),
@@ -123,6 +142,7 @@ const Functions functions[] = {
     PROBE("rayleigh_phase", 4, k.rayleigh_phase(nu)),
     PROBE("henyey_greenstein_phase", 16, k.henyey_greenstein_phase(g, nu)),
     PROBE("cornette_shanks_phase", 16, k.cornette_shanks_phase(g, nu)),
+    PROBE("draine_phase", 16, k.draine_phase(g, 10 * u, nu)),
     PROBE_TO("sample_henyey_greenstein", 16, "1 / (1 - g)^2", k.sample_henyey_greenstein(g, u),
              1 / ((1 - std::abs(g)) * (1 - std::abs(g)))),
     PROBE_TO("sample_rayleigh", 16, "1", k.sample_rayleigh(u), real(1)),
@@ -131,11 +151,14 @@ const Functions functions[] = {
              k.optical_depth_along(h, mu, t).x*(1 + h * k.atm.term_profile[0].x)),
     PROBE_TO("transmittance_to_top", 16, "1 + r abs(mu) / H sin", k.transmittance_to_top(h, mu).x,
              1 + lowest_condition(k, h, mu)),
-    // By day: how long a ray is in the planet's shadow that it grazes, its numbers say as badly as where it grazes the ground.
-    PROBE_TO(
-        "march, single scattering", 32, "(1 - transmittance) (1 + r abs(mu) / H sin)",
-        k.march(typename std::remove_cvref_t<decltype(k)>::Ray{h, mu, std::abs(mu_s), std::abs(nu), end, e.ground}).single[0].x,
-        (1 - std::exp(-k.march(ray).depth.x)) * (1 + lowest_condition(k, h, mu))),
+    // Towards the sun by day, half a degree after sunrise: how long a ray is in the planet's shadow that it grazes, its numbers
+    // say as badly as where it grazes the ground; and a sun on the horizon is seen from a rounding below the top through the
+    // root of that.
+    PROBE_TO("march, single scattering", 64, "(1 - transmittance) (1 + r abs(mu) / H sin) (1 + h / H)",
+             nu_day < 0
+                 ? real(1)
+                 : k.march(typename std::remove_cvref_t<decltype(k)>::Ray{h, mu, mu_day, nu_day, end, e.ground}).single[0].x,
+             (1 - std::exp(-k.march(ray).depth.x)) * (1 + lowest_condition(k, h, mu)) * (1 + h * k.atm.term_profile[0].x)),
     PROBE_TO("aces_fitted", 16, "1", k.aces_fitted(glm::vec<3, real>(x, u, x* u)).x, real(1)),
     PROBE_TO("encode_srgb", 16, "1", k.encode_srgb(glm::vec<3, real>(u)).x, real(1)),
 };
@@ -157,7 +180,10 @@ struct Prober::Impl {
     Formulas<float> single;
     Formulas<double> exact;
 };
-Prober::Prober() : impl_(std::make_unique<Impl>()) {}
+Prober::Prober() : impl_(std::make_unique<Impl>()) {
+    impl_->single.rule(impl_->single.kernel.zenith_quadrature, impl_->single.kernel.ZENITH_NODES);
+    impl_->exact.rule(impl_->exact.kernel.zenith_quadrature, impl_->exact.kernel.ZENITH_NODES);
+}
 Prober::~Prober() = default;
 
 double Prober::error(std::size_t probe, const Point& at) {

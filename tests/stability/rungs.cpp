@@ -147,4 +147,71 @@ std::vector<Rung> bare_rungs() {
     };
 }
 
+std::vector<Rung> finely_gathered_rungs() {
+    QualitySettings low = QualitySettings::low();
+    low.table_format = low.froxel_format = full;
+    std::vector<Rung> all{{"aureole", models::aureole(low)}};
+    for (const bool combined : {false, true}) {
+        models::BrunetonSettings s = small_bruneton(combined, full);
+        s.zenith_nodes = s.azimuth_nodes = 4;
+        all.push_back({combined ? "bruneton, combined" : "bruneton", models::bruneton(s)});
+    }
+    return all;
+}
+
+std::vector<Rung> extreme_rungs() {
+    std::vector<Rung> all;
+    const auto with_aureole = [&](const char* name, rhi::Extent QualitySettings::*table, rhi::Extent size) {
+        QualitySettings s = small_aureole(full);
+        s.*table = size;
+        all.push_back({name, models::aureole(s)});
+    };
+    const auto with_hillaire = [&](const char* name, rhi::Extent models::HillaireSettings::*table, rhi::Extent size) {
+        models::HillaireSettings s = small_hillaire(true, full);
+        s.*table = size;
+        all.push_back({name, models::hillaire(s)});
+    };
+    using Q = QualitySettings;
+    with_aureole("aureole, transmittance 2 x 2", &Q::transmittance, {2, 2, 1});
+    with_aureole("aureole, transmittance 4096 wide", &Q::transmittance, {4096, 2, 1});
+    with_aureole("aureole, transmittance 4096 high", &Q::transmittance, {2, 4096, 1});
+    with_aureole("aureole, multi-scatter 2 x 2", &Q::multi_scatter, {2, 2, 1});
+    with_aureole("aureole, multi-scatter 256 wide", &Q::multi_scatter, {256, 2, 1});
+    with_aureole("aureole, sky-view 4 x 4", &Q::sky_view, {4, 4, 1});
+    with_aureole("aureole, sky-view 4096 wide", &Q::sky_view, {4096, 4, 1});
+    with_aureole("aureole, sky-view 4096 high", &Q::sky_view, {4, 4096, 1});
+    with_aureole("aureole, froxels 2 x 2 x 2", &Q::aerial_perspective, {2, 2, 2});
+    with_aureole("aureole, froxels 256 deep", &Q::aerial_perspective, {2, 2, 256});
+    using H = models::HillaireSettings;
+    with_hillaire("hillaire, transmittance 2 x 2", &H::transmittance, {2, 2, 1});
+    with_hillaire("hillaire, transmittance 4096 wide", &H::transmittance, {4096, 2, 1});
+    with_hillaire("hillaire, multi-scatter 2 x 2", &H::multi_scatter, {2, 2, 1});
+    with_hillaire("hillaire, sky-view 4 x 4", &H::sky_view, {4, 4, 1});
+    with_hillaire("hillaire, sky-view 4096 high", &H::sky_view, {4, 4096, 1});
+    with_hillaire("hillaire, froxels 2 x 2 x 2", &H::aerial_perspective, {2, 2, 2});
+    models::BrunetonSettings least = small_bruneton(false, full);
+    least.transmittance = least.irradiance = {2, 2, 1};
+    least.altitude_nodes = least.sun_nodes = least.nu_nodes = 2;
+    least.view_nodes = 4;
+    all.push_back({"bruneton, the least of all", models::bruneton(least)});
+    models::BrunetonSettings wide = small_bruneton(false, full);
+    wide.transmittance = {4096, 2, 1};
+    wide.irradiance = {1024, 2, 1};
+    wide.altitude_nodes = 2;
+    wide.view_nodes = 4;
+    wide.sun_nodes = 256;
+    all.push_back({"bruneton, as wide as may be", models::bruneton(wide)});
+    models::SingleLutSettings table = small_single_lut(full);
+    table.table = {2, 2, 1};
+    all.push_back({"single-lut, 2 x 2", models::single_lut(table)});
+    table.table = {4096, 2, 1};
+    all.push_back({"single-lut, 4096 wide", models::single_lut(table)});
+    models::SingleSettings domed = dome(full);
+    domed.dome.size = {4, 4, 1};
+    all.push_back({"single, dome 4 x 4", models::single(domed)});
+    domed.dome.size = {4096, 4, 1};
+    all.push_back({"single, dome 4096 wide", models::single(domed)});
+    return all;
+}
+
 }  // namespace aureole::stability

@@ -40,7 +40,9 @@ public:
     void verify() const {
         const bool print = std::getenv("AUREOLE_STABILITY_PRINT") != nullptr;
         CHECK(!worst_.empty());
-        for (const auto& [what, entry] : worst_) {
+        for (const auto& one : worst_) {
+            const auto& what = one.first;
+            const auto& entry = one.second;
             if (print)
                 std::printf("%s: %s: %.3g of its bound, case %llu, of %llu\n", title_.c_str(), what.c_str(), entry.error,
                             static_cast<unsigned long long>(entry.index), static_cast<unsigned long long>(entry.count));
@@ -53,7 +55,9 @@ public:
     /// within.
     void verify_known(const std::string& known, double most) const {
         REQUIRE(worst_.contains(known));
-        for (const auto& [what, entry] : worst_) {
+        for (const auto& one : worst_) {
+            const auto& what = one.first;
+            const auto& entry = one.second;
             INFO(title_ << ": " << what << ": " << entry.error << " of its bound. " << Case(entry.index).text());
             CHECK(entry.error <= (what == known ? most : 1));
             if (what == known)
@@ -64,7 +68,9 @@ public:
     /// The same where it is not one check alone that fails.
     void verify_known(double most) const {
         double worst = 0;
-        for (const auto& [what, entry] : worst_) {
+        for (const auto& one : worst_) {
+            const auto& what = one.first;
+            const auto& entry = one.second;
             INFO(title_ << ": " << what << ": " << entry.error << " of its bound. " << Case(entry.index).text());
             CHECK(entry.error <= most);
             worst = std::max(worst, entry.error);

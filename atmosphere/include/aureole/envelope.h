@@ -29,11 +29,13 @@ enum class EnvelopeAxis : std::uint8_t {
     half_sun_elevation_deg,  ///< Above the camera's horizontal, for models that keep the camera's sky in half floats.
     half_difference_sun_elevation_deg,  ///< The same, of geometry whose air is a difference of entries of tables in half
                                         ///< floats: by `bruneton`.
+    table_sun_elevation_deg,  ///< The same, of `bruneton` on planets of more than 7000 km and in air of more than 1 per km.
 };
-/// What of a view is kept in half floats, in which twilight ends.
-struct InHalfFloats {
-    bool sky = false;         ///< The camera's.
-    bool difference = false;  ///< Tables of which two entries' difference is the air before geometry.
+/// What of a view comes from tables that end in twilight. All false: a model that has none.
+struct KeptInTables {
+    bool half_sky = false;         ///< The camera's sky, in half floats.
+    bool half_difference = false;  ///< In half floats, and the air before geometry is two entries' difference.
+    bool coarse_sun_axis = false;  ///< All light, by an axis of the sun's cosine too coarse for deep twilight.
 };
 /// Within which one number may go.
 struct EnvelopeLimit {
@@ -55,6 +57,6 @@ struct OutsideEnvelope {
 [[nodiscard]] std::vector<OutsideEnvelope> outside_envelope(const AtmosphereParameters& parameters);
 /// Of a camera and suns that `validate` accepts, at this planet. Nothing is allocated where all is inside.
 [[nodiscard]] std::vector<OutsideEnvelope> outside_envelope(const Planet& planet, const Camera& camera,
-                                                            std::span<const Sun> suns, const InHalfFloats& in_half = {});
+                                                            std::span<const Sun> suns, const KeptInTables& kept = {});
 
 }  // namespace aureole

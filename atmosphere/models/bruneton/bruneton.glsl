@@ -58,8 +58,9 @@ real sun_axis(real mu_s) {
     real a = (distance_to_top(real(0), mu_s) - shell_thickness()) / (atm.radii.w - shell_thickness());
     return max(1 - a / atm.sun_mapping.x, real(0)) / (1 + max(a, real(0)));
 }
-// The inverse: a = (1 - u) A / (1 + u A), and mu_s from d: T^2 = R^2 + 2 R d mu_s + d^2.
+// The inverse: a = (1 - u) A / (1 + u A), and mu_s from d: T^2 = R^2 + 2 R d mu_s + d^2. Exact at the zenith, as in multi_scatter.glsl.
 real sun_axis_mu(real u) {
+    if (u >= 1) return real(1);
     real a = (1 - u) * atm.sun_mapping.x / (1 + u * atm.sun_mapping.x);
     real d = shell_thickness() + a * (atm.radii.w - shell_thickness());
     return clamp((atm.radii.w * atm.radii.w - d * d) / (2 * bottom_radius() * d), real(-1), real(1));

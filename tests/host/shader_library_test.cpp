@@ -40,10 +40,11 @@ TEST_CASE("the display compiles in a shader of either API, beside names of the h
     const Shown shown(passes::open_cpu_float(), noon());
     const std::string defines = "#define AUREOLE_DEFINED_CONSTANTS\n" + shown.rig.view.shader_defines();
     for (const Api api : {Api::vulkan, Api::opengl}) {
-        const std::string begin = std::string("#version 450\n#extension GL_GOOGLE_include_directive : require\n") +
-                                  (api == Api::opengl ? "#define AUREOLE_PLAIN_GLSL\n" : "") + defines;
         for (const std::string& includes : {display, display + lookups, lookups + display, display + lookups + display}) {
-            const Compiled compiled = compile(begin + includes + body, "frag", api);
+            std::string text = "#version 450\n#extension GL_GOOGLE_include_directive : require\n";
+            if (api == Api::opengl) text += "#define AUREOLE_PLAIN_GLSL\n";
+            text.append(defines).append(includes).append(body);
+            const Compiled compiled = compile(text, "frag", api);
             CAPTURE(includes);
             CAPTURE(compiled.messages);
             CHECK(compiled.spirv.size() > 500);

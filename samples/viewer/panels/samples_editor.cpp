@@ -38,8 +38,8 @@ void edit_table(Session& session, std::size_t term, Sampled which) {
             ImGui::Dummy({130, ImGui::GetFrameHeight()});  // the ends of a phase function
         ImGui::SameLine();
         edit_next(profile ? "density." : "value.", number);
-        const bool inserts = button(session, "+", begin + ("insert." + number));
-        const bool removes = button(session, "x", begin + ("remove." + number));
+        const bool inserts = button(session, "+", std::string(begin).append("insert.").append(number));
+        const bool removes = button(session, "x", std::string(begin).append("remove.").append(number));
         if (inserts) attempt(session, [&] { insert_sample(session.state, term, which, row); });
         if (removes) attempt(session, [&] { remove_sample(session.state, term, which, row); });
         if (inserts || removes) break;  // the fields are of the rows before

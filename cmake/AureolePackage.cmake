@@ -9,7 +9,7 @@ foreach(component IN LISTS components)
 endforeach()
 configure_package_config_file(
     "${CMAKE_CURRENT_LIST_DIR}/aureole-config.cmake.in" "${PROJECT_BINARY_DIR}/aureole-config.cmake"
-    INSTALL_DESTINATION "${package_dir}")
+    INSTALL_DESTINATION "${package_dir}" PATH_VARS CMAKE_INSTALL_INCLUDEDIR)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/aureole-config-version.cmake" COMPATIBILITY SameMajorVersion)
 install(
     FILES "${PROJECT_BINARY_DIR}/aureole-config.cmake" "${PROJECT_BINARY_DIR}/aureole-config-version.cmake"

@@ -120,6 +120,7 @@ endfunction()
 #
 # For shaders of others: prelude, file and all that it includes as one self-contained GLSL text, made with <target> and installed
 # with its headers as <aureole/glsl/name.glsl>. In the build tree it lies under <binary dir>/include, which users of <target> see.
+# The folder aureole/glsl of either is the target's property AUREOLE_GLSL_DIR: for engines that look for shaders in folders.
 function(aureole_add_shader_library target library)
     cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "INCLUDE_DIRS")
     cmake_path(ABSOLUTE_PATH library NORMALIZE)
@@ -141,6 +142,7 @@ function(aureole_add_shader_library target library)
         COMMENT "Shader library ${file}"
         VERBATIM)
     target_sources(${target} PRIVATE "${output}")
+    set_target_properties(${target} PROPERTIES AUREOLE_GLSL_DIR "${CMAKE_CURRENT_BINARY_DIR}/include/aureole/glsl")
     target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_BINARY_DIR}/include>")
     if(AUREOLE_INSTALL)
         install(FILES "${output}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/aureole/glsl" COMPONENT development)

@@ -290,6 +290,7 @@ def foreign_shader_text(text):
     names = {name for pattern in GLOBALS for name in pattern.findall(strip_comments(text))}
     names = {name for name in names if not name.lower().startswith('aureole')}
     macros = [name for name in dict.fromkeys(MACRO.findall(text)) if not name.startswith('AUREOLE_')]
+    macros.append('AUREOLE_PRELUDE_GLSL')  # so that another such text behind this one has the prelude's macros again
     renamed = WORD_OR_COMMENT.sub(lambda m: ('aureole_private_' if m[0] in names else '') + m[0], text)
     return renamed + '\n' + ''.join(f'#undef {name}\n' for name in macros)
 

@@ -8,7 +8,7 @@ import re
 import sys
 import tempfile
 
-CODE = {'.h', '.c', '.cpp', '.glsl', '.txt', '.cmake', '.in'}
+CODE = {'.h', '.c', '.cpp', '.glsl', '.vert', '.frag', '.comp', '.txt', '.cmake', '.in'}
 LATER = '|'.join(a + b for a, b in (('TO', 'DO'), ('FIX', 'ME'), ('XX', 'X'), ('not imple', 'mented'), ('place', 'holder')))
 SCRIPTS = {'.py'}  # held to their length alone
 MAX_LINES = 400
@@ -17,7 +17,14 @@ AT_THE_TOP = ROOMS | {'CMakeLists.txt', 'CMakePresets.json', 'README.md', 'CONTR
                       'test.sh', 'vcpkg.json', 'conanfile.py', 'out', '__pycache__', 'compile_commands.json'}
 
 # Rooms that stand above their folder, and of which of its rules: the C API shows the backends, too.
-ABOVE = {'atmosphere/c_api': ('the atmosphere names a graphics API or a window', 'the atmosphere knows a backend')}
+# The tools that measure for the planner, and make its table, know how it is kept, and integrate by the library's rules.
+ABOVE = {'atmosphere/c_api': ('the atmosphere names a graphics API or a window', 'the atmosphere knows a backend'),
+         'samples/app': ('a sample takes what only tools that measure may',), 'samples/measure': ('a sample takes what only tools that measure may',),
+         'samples/report': ('a sample takes what only tools that measure may',)}
+
+# The rooms of the atmosphere that no host sees. The samples have a folder `common`, too.
+ATMOSPHERE = sorted(room.name for room in (pathlib.Path(__file__).parent.parent / 'atmosphere').iterdir()
+                    if room.is_dir() and room.name not in ('include', 'c_api', 'common'))
 
 # (folder, what its files must not contain, tests are held to it too, why)
 RULES = [
@@ -34,6 +41,12 @@ RULES = [
     ('atmosphere', r'#\s*include\s*[<"]aureole/(cpu|vulkan)/', False, 'the atmosphere knows a backend'),
     ('backends', r'(?i)rayleigh|ozone|sky_view|transmittance', False, 'a backend knows about skies'),
     ('backends', r'#\s*include\s*[<"]aureole/(?!rhi/|cpu/|vulkan/)', False, 'a backend includes the atmosphere'),
+    # A host outside of the tree has what is installed, no more.
+    ('samples', r'atmosphere/(?!include/)[\w/]+\.(glsl|h)\b|[}"]/atmosphere/(?!include)\w|"-I[^"]*[/}]atmosphere"|#\s*include\s*[<"](\.\./)*atmosphere/',
+     True, 'a sample takes what the atmosphere keeps to itself'),
+    ('samples', rf'#\s*include\s*[<"]({"|".join(room for room in ATMOSPHERE if room not in ("plan", "quadrature"))})/', True,
+     'a sample takes what the atmosphere keeps to itself'),
+    ('samples', r'#\s*include\s*[<"](plan|quadrature)/', True, 'a sample takes what only tools that measure may'),
     ('samples/viewer/core', r'\bVk[A-Z]\w*|glfw|imgui|vulkan/', True, "the viewer's core knows a window"),
     ('samples/common', r'(?i)glfw|imgui|\bOgre|volk\.h|#\s*include\s*"(viewer|host_vulkan|ogre|app)/', True, 'what the samples share knows one of them'),
     ('', LATER, True, 'work left for later'),
@@ -79,10 +92,15 @@ OFFENDERS = [
     ('rhi/d.h', '#include <epoxy/gl.h>'), ('rhi/e.h', '// As OpenGL has it.'), ('rhi/f_test.cpp', 'bool vulkan;'), ('atmosphere/d.cpp', '#include <GL/gl.h>'),
     ('samples/ogre/gl/a.cpp', '#include <aureole/atmosphere.h>'), ('samples/ogre/gl/b.cpp', '#include "app/frame.h"'),
     ('samples/viewer/core/a_test.cpp', '#include <imgui.h>'), ('samples/common/a.h', '#include "viewer/core/state.h"'), ('samples/common/b.h', '#include <imgui.h>'), ('result.csv', '1'), ('tests/b_test.cpp', 'CHECK(a == doctest::Approx(1e-3).epsilon(0.01));'), ('samples/a.cpp', '// ' + LATER.split('|')[0]), ('samples/long.cpp', '\n' * (MAX_LINES + 1)),
+    ('samples/d.cpp', '#include "../../atmosphere/light/harmonics.glsl"'), ('samples/e.cpp', '#include "atmosphere/light/light.h"'),
+    ('samples/f.cpp', '#include "composite/display.glsl"'), ('samples/a.frag', '#include "light/harmonics.glsl"'),
+    ('samples/terrain/g.cpp', '#include "plan/work.h"'), ('samples/x/CMakeLists.txt', 'FOLDER="${PROJECT_SOURCE_DIR}/atmosphere/composite"'),
+    ('samples/y/CMakeLists.txt', '"-I${PROJECT_SOURCE_DIR}/atmosphere"'), ('samples/z/CMakeLists.txt', '${PROJECT_SOURCE_DIR}/atmosphere/light/light.glsl'),
     ('tests/long_test.py', '\n' * (MAX_LINES + 1)),
 ]
 LAWFUL = [('rhi/c.h', '#include <aureole/rhi/types.h>'), ('rhi/g.glsl', 'gl_FragCoord.xy'), ('backends/cpu/c_test.cpp', 'float ozone;'),
-          ('samples/b.cpp', '#include <fstream>'), ('atmosphere/c_api/a.cpp', '#include <aureole/cpu/cpu_device.h>'),
+          ('samples/b.cpp', '#include <fstream>'), ('samples/h.cpp', '#include <aureole/atmosphere.h>\n#include "common/surface.h"'),
+          ('samples/measure/h.cpp', '#include "plan/work.h"'), ('samples/w/CMakeLists.txt', '${PROJECT_BINARY_DIR}/atmosphere/include/aureole'), ('atmosphere/c_api/a.cpp', '#include <aureole/cpu/cpu_device.h>'),
           ('samples/ogre/gl/c.cpp', '#include <epoxy/gl.h>\n#include "formats.h"')]
 
 

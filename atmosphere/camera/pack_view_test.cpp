@@ -150,7 +150,7 @@ TEST_CASE("pack_view: none, several and too many suns") {
     }
     const std::vector<Sun> four{Sun{.direction = {1, 0, 0}}, Sun{.direction = {0, 1, 0}}, Sun{}, Sun{.irradiance = {0, 0, 9}}};
     const ViewBlock day = pack_view(camera, four, planet);
-    for (int i = 0; i < 4; ++i) CHECK(day.sun_irradiance[i].w == 4);
+    for (const glm::vec4& irradiance : day.sun_irradiance) CHECK(irradiance.w == 4);
     CHECK(day.sun_direction[1].y == 1);
     CHECK(day.sun_irradiance[3].z == 9);
     std::vector<Sun> bad = four;

@@ -55,6 +55,9 @@ std::vector<double> phase_row(const TabulatedPhase& phase) {
     return row;
 }
 
+/// Of a table so far: the place of its next row.
+std::size_t rows_of(const auto& table) { return table.size() / table_width; }
+
 void append(std::vector<double>& table, const std::vector<double>& row) { table.insert(table.end(), row.begin(), row.end()); }
 
 /// Kind and parameters of a phase function (phase.glsl); a tabulated one becomes a row of the table, normalized.
@@ -75,7 +78,7 @@ int pack_phase(const PhaseFunction& phase, Vec4& parameters, std::vector<double>
                               return Air::PHASE_HG_DRAINE;
                           },
                           [&](const TabulatedPhase& p) {
-                              parameters.x = static_cast<double>(table.size() / table_width);
+                              parameters.x = static_cast<double>(rows_of(table));
                               append(table, phase_row(p));
                               return Air::PHASE_TABULATED;
                           },
@@ -96,7 +99,7 @@ int pack_profile(const Profile& profile, double highest_km, Vec4& parameters, st
                               return Air::PROFILE_TENT;
                           },
                           [&](const TabulatedProfile& p) {
-                              parameters.w = static_cast<double>(table.size() / table_width);
+                              parameters.w = static_cast<double>(rows_of(table));
                               std::vector<double> altitude_km = p.altitude_m;
                               for (double& h : altitude_km) h *= km;
                               append(table, resample(altitude_km, p.density, table_width, profile_axis(highest_km)));
@@ -162,7 +165,7 @@ void pack_terms(const AtmosphereParameters& parameters, ExactAtmosphere& air) {
     }
     air.structure.term_kinds = static_cast<int>(kinds);
     air.structure.term_phases = static_cast<int>(phases);
-    air.block.tables.x = static_cast<double>(air.profile_table.size() / table_width);
+    air.block.tables.x = static_cast<double>(rows_of(air.profile_table));
 }
 
 void pack_planet(const Planet& planet, Blocks<double>::AtmosphereBlock& block) {
@@ -213,8 +216,8 @@ PackedAtmosphere pack_atmosphere(const AtmosphereParameters& parameters) {
     packed.block = round_block<AtmosphereBlock>(air.block);
     packed.profile_table = to_float(air.profile_table);
     packed.phase_table = to_float(air.phase_table);
-    packed.profile_rows = static_cast<int>(packed.profile_table.size() / table_width);
-    packed.phase_rows = static_cast<int>(packed.phase_table.size() / table_width);
+    packed.profile_rows = static_cast<int>(rows_of(packed.profile_table));
+    packed.phase_rows = static_cast<int>(rows_of(packed.phase_table));
     return packed;
 }
 

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <ranges>
 #include <string>
 
 namespace aureole::detail {
 
 Objects::~Objects() {
     // Users before what they use.
-    for (auto handle = handles_.rbegin(); handle != handles_.rend(); ++handle) device_->destroy(*handle, *frame_);
+    for (const auto& handle : std::views::reverse(handles_)) device_->destroy(handle, *frame_);
 }
 
 TrackedTexture Objects::texture(const rhi::TextureDesc& desc) {

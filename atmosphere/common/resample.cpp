@@ -20,6 +20,7 @@ double interpolate(std::span<const double> x, std::span<const double> y, double 
 /// Where the integrand is not smooth: the nodes' hats and the samples, in order.
 std::vector<double> breakpoints(std::span<const double> x, int n, const TableAxis& axis) {
     std::vector<double> breaks;
+    breaks.reserve(static_cast<std::size_t>(n) + x.size());
     for (int i = 0; i < n; ++i) breaks.push_back(static_cast<double>(i) / (n - 1));
     const double first = axis.x_of_s(0), last = axis.x_of_s(1);
     for (const double sample : x)

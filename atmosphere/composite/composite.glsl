@@ -90,7 +90,7 @@ vec4 composite_pixel(ivec2 pixel) {
     if (!first_triplet()) radiance += vec3(texelFetch(sum_before, pixel, 0));
     if (!last_triplet()) return vec4(radiance, real(0));
     if (NO_NEGATIVE || IN_TRIPLETS) radiance = max(radiance, vec3(real(0)));
-    return vec4(storable(display(radiance * view.composite.x, pixel, target.size.z)), real(1));
+    return vec4(storable(display(radiance * view.composite.x, TONE_MAP, ENCODE_SRGB, DITHER, pixel, target.size.z)), real(1));
 }
 
 #endif

@@ -35,10 +35,11 @@ real triangular_noise(ivec2 pixel, real frame) {
     return sign(u) * (1 - sqrt(max(1 - abs(u), real(0))));
 }
 
-vec3 display(vec3 color, ivec2 pixel, real frame) {
-    if (TONE_MAP == 1) color = aces_fitted(color);
-    if (ENCODE_SRGB) color = encode_srgb(color);
-    if (DITHER) color += vec3(triangular_noise(pixel, frame) / real(255));
+// `tone_map`: 0 none, 1 ACES as fitted by Hill. The noise is of one step of 8 bits.
+vec3 display(vec3 color, int tone_map, bool srgb, bool dither, ivec2 pixel, real frame) {
+    if (tone_map == 1) color = aces_fitted(color);
+    if (srgb) color = encode_srgb(color);
+    if (dither) color += vec3(triangular_noise(pixel, frame) / real(255));
     return color;
 }
 

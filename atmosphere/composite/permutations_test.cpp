@@ -236,6 +236,7 @@ TEST_CASE("composite: on Vulkan every two choices meet in a pipeline that draws"
     if (backend == nullptr) return;
     const HostTextures host(*backend);
     std::vector<std::unique_ptr<Atmosphere>> airs;
+    airs.reserve(qualities.size());
     for (const auto& [model, name] : qualities)
         airs.push_back(std::make_unique<Atmosphere>(backend->device(), presets::earth(), model_by_name(model, name)));
     backend->run([&](rhi::CommandList& commands) {

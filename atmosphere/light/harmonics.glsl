@@ -3,6 +3,8 @@
 #ifndef AUREOLE_HARMONICS_GLSL
 #define AUREOLE_HARMONICS_GLSL
 
+#include "common/constants.glsl"
+
 CONST(int, HARMONIC_COUNT, 9)
 
 real world_harmonic(int i, vec3 d) {
@@ -19,8 +21,8 @@ real world_harmonic(int i, vec3 d) {
 
 // What the cosine lobe of a surface does to degree l: pi, 2 pi / 3, pi / 4 (Ramamoorthi & Hanrahan 2001, equation 8).
 real cosine_lobe(int i) {
-    if (i == 0) return real(3.14159265358979323846);
-    return i < 4 ? real(2.09439510239319549231) : real(0.78539816339744830962);
+    if (i == 0) return PI;
+    return i < 4 ? 2 * PI / 3 : PI / 4;
 }
 
 // Irradiance that a coefficient of 1 gives a surface of this normal.

@@ -27,7 +27,19 @@ glm::dvec3 unit(const glm::dvec3& normal) {
     return normal / length;
 }
 
+Rgb signed_irradiance(std::span<const Rgb, 9> coefficients, const glm::dvec3& unit_normal) {
+    Harmonics<double> harmonics;
+    Rgb sum(0);
+    for (int i = 0; i < LightTable::coefficient_count; ++i)
+        sum += coefficients[static_cast<std::size_t>(i)] * harmonics.harmonic_irradiance(i, unit_normal);
+    return sum;
+}
+
 }  // namespace
+
+Rgb sky_irradiance(std::span<const Rgb, 9> coefficients, const glm::dvec3& normal) {
+    return glm::max(signed_irradiance(coefficients, unit(normal)), Rgb(0));
+}
 
 LightTable::LightTable(std::span<const float> texels) {
     const std::size_t size = texels.size();
@@ -52,19 +64,18 @@ Rgb LightTable::sky_coefficient(int i, int sun) const {
 Rgb LightTable::sky_irradiance(const glm::dvec3& normal) const {
     const glm::dvec3 direction = unit(normal);
     Rgb sum(0);
-    for (int sun = 0; sun < sun_count(); ++sun) sum += signed_irradiance(direction, sun);
+    for (int sun = 0; sun < sun_count(); ++sun) sum += aureole::signed_irradiance(coefficients(sun), direction);
     return glm::max(sum, Rgb(0));
 }
 
 Rgb LightTable::sky_irradiance(const glm::dvec3& normal, int sun) const {
-    return glm::max(signed_irradiance(unit(normal), sun), Rgb(0));
+    return aureole::sky_irradiance(coefficients(sun), normal);
 }
 
-Rgb LightTable::signed_irradiance(const glm::dvec3& unit_normal, int sun) const {
-    Harmonics<double> harmonics;
-    Rgb sum(0);
-    for (int i = 0; i < coefficient_count; ++i) sum += texel(i, sun) * harmonics.harmonic_irradiance(i, unit_normal);
-    return sum;
+std::array<Rgb, 9> LightTable::coefficients(int sun) const {
+    std::array<Rgb, 9> all{};
+    for (int i = 0; i < coefficient_count; ++i) all[static_cast<std::size_t>(i)] = texel(i, sun);
+    return all;
 }
 
 Rgb LightTable::texel(int column, int sun) const {

@@ -15,7 +15,7 @@ namespace aureole::detail {
 class AirTables {
 public:
     AirTables(rhi::Device& device, const std::uint64_t& frame, const AtmosphereParameters& parameters,
-              const PackedAtmosphere& packed, const ModelPtr& model, bool summed = false);
+              const PackedAtmosphere& packed, const ModelPtr& chosen, bool summed = false);
 
     /// New numbers for the same structure. May throw where the air has tables, and then nothing has changed.
     void set_numbers(const AtmosphereParameters& parameters, const PackedAtmosphere& packed);

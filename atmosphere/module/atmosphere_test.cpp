@@ -1,6 +1,8 @@
 // Atmosphere: what it records and when, what it refuses, and what a failure leaves behind.
 #include <doctest/doctest.h>
 
+#include <numbers>
+
 #include "common/rejects.h"
 #include "passes/rig.h"
 
@@ -29,7 +31,7 @@ AtmosphereParameters smoky() {
 /// Earth whose ozone and dust come from tables of the user's.
 AtmosphereParameters tabulated(double density) {
     AtmosphereParameters air = presets::earth();
-    air.terms[1].phase = TabulatedPhase{{0, 0.3, 1.5, 3.14159265358979}, {30, 4, 1, 0.7}};
+    air.terms[1].phase = TabulatedPhase{{0, 0.3, 1.5, std::numbers::pi}, {30, 4, 1, 0.7}};
     air.terms[2].profile = TabulatedProfile{{0, 15e3, 30e3, 60e3}, {0.1, 0.5, density, 0}};
     return air;
 }
@@ -174,7 +176,7 @@ TEST_CASE("atmosphere: a device that lacks something is told what") {
 
     const auto lacking = [&](rhi::Format format, rhi::FormatSupport support) {
         device.pretend(std::pair(format, support));
-        const std::string text = failure(make);
+        std::string text = failure(make);
         device.pretend(std::optional<std::pair<rhi::Format, rhi::FormatSupport>>());
         return text;
     };

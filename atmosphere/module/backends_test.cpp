@@ -1,6 +1,8 @@
 // All passes one after the other on every backend: the named qualities as they are, and air of every kind.
 #include <doctest/doctest.h>
 
+#include <numbers>
+
 #include "passes/trio.h"
 
 using namespace aureole;
@@ -56,7 +58,7 @@ DensityTerm term(const char* name, const Profile& profile, const Rgb& scattering
     return {.name = name, .profile = profile, .scattering_per_m = scattering, .absorption_per_m = Rgb(1e-7), .phase = phase};
 }
 const TabulatedProfile cloud{{0, 1e3, 1.5e3, 4e3, 8e3}, {0.1, 0.2, 1, 0.8, 0}};
-const TabulatedPhase halo{{0, 0.2, 0.38, 0.4, 1.6, 3.14159265358979}, {20, 5, 4, 6, 1, 2}};
+const TabulatedPhase halo{{0, 0.2, 0.38, 0.4, 1.6, std::numbers::pi}, {20, 5, 4, 6, 1, 2}};
 
 std::vector<AtmosphereParameters> kinds_of_air() {
     AtmosphereParameters first = presets::earth(), second = presets::earth(), third = presets::earth();

@@ -1,6 +1,8 @@
 // Recordings that are never executed: what a host says of them, and that nothing of them is relied on afterwards.
 #include <doctest/doctest.h>
 
+#include <numbers>
+
 #include "passes/dropped_list.h"
 #include "passes/rig.h"
 
@@ -13,7 +15,7 @@ namespace {
 AtmosphereParameters tabulated(double albedo) {
     AtmosphereParameters air = presets::earth();
     air.planet.ground_albedo = Rgb(albedo);
-    air.terms[1].phase = TabulatedPhase{{0, 0.3, 1.5, 3.14159265358979}, {30, 4, 1, 0.7}};
+    air.terms[1].phase = TabulatedPhase{{0, 0.3, 1.5, std::numbers::pi}, {30, 4, 1, 0.7}};
     air.terms[2].profile = TabulatedProfile{{0, 15e3, 30e3, 60e3}, {0.1, 0.5, 1, 0}};
     return air;
 }

@@ -1,6 +1,8 @@
 // New numbers for the same structure of air: no new device objects, and the tables of an atmosphere made so.
 #include <doctest/doctest.h>
 
+#include <numbers>
+
 #include "common/rejects.h"
 #include "passes/rig.h"
 
@@ -20,7 +22,7 @@ AtmosphereParameters numbered(double x, bool tables = false) {
     air.terms[0].profile = ExponentialProfile{8000 + 500 * x};
     air.terms[1].phase = CornetteShanksPhase{0.8 - 0.1 * x};
     if (tables) {
-        air.terms[1].phase = TabulatedPhase{{0, 0.3, 1.5, 3.14159265358979}, {30 - 10 * x, 4, 1, 0.7}};
+        air.terms[1].phase = TabulatedPhase{{0, 0.3, 1.5, std::numbers::pi}, {30 - 10 * x, 4, 1, 0.7}};
         air.terms[2].profile = TabulatedProfile{{0, 15e3, 30e3 + 1e3 * x, 60e3}, {0.1, 0.5 + x, 1, 0}};
     }
     return air;

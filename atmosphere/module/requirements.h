@@ -17,7 +17,7 @@ void require_view(const rhi::Device& device, std::string_view model, const ViewT
                   std::uint32_t layers_per_sun);
 /// The parts of these: a format that tables can have; a side of a texture; layers of all suns stacked in one texture.
 void require_table(const rhi::Device& device, rhi::Format format, rhi::Dimension dimension, bool filtered = true);
-void require_size(const char* limit_name, std::uint32_t limit, std::uint32_t needed);
+void require_size(const char* what, std::uint32_t limit, std::uint32_t needed);
 void require_rows(const std::string& field, std::uint32_t height, std::uint32_t suns, std::uint32_t layers_per_sun,
                   const char* limit_name, std::uint32_t limit);
 void require_target(const rhi::Device& device, const CompositeSettings& settings);

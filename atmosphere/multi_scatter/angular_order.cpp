@@ -23,6 +23,7 @@ std::vector<double> scattered_moments(const AtmosphereParameters& parameters) {
         for (std::size_t l = 0; l < sums.size(); ++l) sums[l] += depth * std::abs(moments[l]);
     }
     std::vector<double> result;
+    result.reserve(sums.size());
     for (const Rgb& sum : sums) result.push_back(std::max({sum.r, sum.g, sum.b}));
     return result;
 }

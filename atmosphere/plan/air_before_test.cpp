@@ -246,7 +246,7 @@ TEST_CASE("plan: a plan without the air before geometry has no froxels, and says
     CHECK(choice.cost_otherwise_ms.value() >= 0);
     CHECK(choice.error_otherwise);
     CHECK(std::ranges::find(found.choices, "froxels", &PlanChoice::what) == found.choices.end());
-    CHECK(std::ranges::none_of(found.warnings, [](const auto& w) { return w.find("is FAR from") != w.npos; }));
+    CHECK(std::ranges::none_of(found.warnings, [](const auto& w) { return w.find("is FAR from") != std::string::npos; }));
     const Plan far = plan(with_geometry(3e4, 1e-3));
     CHECK(far.view.aerial_perspective);
     CHECK(choice_of(far, "aerial perspective").reason.find("away would be off by") != std::string::npos);

@@ -141,6 +141,7 @@ std::vector<Situation> situations_of(const PlanRequirements& requirements, const
             for (const double sun : suns) places.emplace(sun, scene.altitude_m);
     }
     std::vector<Situation> result;
+    result.reserve(places.size());
     for (const auto& [sun, altitude] : places) result.push_back(air.at(sun, altitude));
     return result;
 }

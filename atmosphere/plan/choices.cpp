@@ -169,7 +169,7 @@ private:
     [[nodiscard]] std::string why_air_is_drawn() const {
         const std::string seen = "geometry is seen through the air";
         if (!seen_.bare) return seen + "; what it would err by without " + why_unknown();
-        const std::string without = seen + "; without it geometry up to " + reach() + " away would be off by " + off();
+        std::string without = seen + "; without it geometry up to " + reach() + " away would be off by " + off();
         if (!requirements_.tolerance) return without;
         if (seen_.bare->bound > *requirements_.tolerance) return without + ", more than " + percent(*requirements_.tolerance);
         return requirements_.shadows ? without + ", but shadows are seen in it" : without + ", but it is in use";
@@ -192,14 +192,11 @@ private:
             const bool froxels = table.name == "froxels";
             if (froxels && seen_.air != AirBefore::drawn) continue;
             const rhi::Extent& e = table.size;
-            const std::string size =
-                std::to_string(e.width) + "x" + std::to_string(e.height) + (e.depth > 1 ? "x" + std::to_string(e.depth) : "");
-            const std::string to = froxels ? ", to " + reach() : "";
-            choices_.push_back({table.name,
-                                size + " " + std::string(rhi::to_string(table.format)) + ", " + table.samples + to,
-                                "of " + plan_.setting.id() + why(table),
-                                {},
-                                {}});
+            std::string what = std::to_string(e.width) + "x" + std::to_string(e.height);
+            if (e.depth > 1) what.append("x").append(std::to_string(e.depth));
+            what.append(" ").append(rhi::to_string(table.format)).append(", ").append(table.samples);
+            if (froxels) what.append(", to ").append(reach());
+            choices_.push_back({table.name, std::move(what), "of " + plan_.setting.id() + why(table), {}, {}});
         }
         choices_.push_back({"memory", with_unit(plan_.cost.mebibytes, "MiB"), "of all tables, of all views and suns", {}, {}});
     }

@@ -33,7 +33,7 @@ public:
     [[nodiscard]] std::vector<double> left_out_variances() const;
 
 private:
-    [[nodiscard]] std::vector<double> solve(std::vector<double> right) const;
+    [[nodiscard]] std::vector<double> solve(std::vector<double> x) const;
 
     std::vector<Situation> points_;
     Situation lengths_;

@@ -226,7 +226,8 @@ TEST_CASE("plan: far from all that was measured it says so, and its bound is wid
 TEST_CASE("plan: it warns of what its figures do not cover, and says whose speed its costs are of") {
     const auto warned = [](const PlanRequirements& needs, const std::string& part) {
         const Plan found = plan(needs);
-        const bool told = std::ranges::any_of(found.warnings, [&](const std::string& w) { return w.find(part) != w.npos; });
+        const bool told =
+            std::ranges::any_of(found.warnings, [&](const std::string& w) { return w.find(part) != std::string::npos; });
         CHECK(told == (found.text().find(part) != std::string::npos));
         return told;
     };

@@ -91,6 +91,7 @@ std::size_t Predictor::family_of(Index& index, std::vector<std::size_t> points, 
     const auto [found, is_new] = index.try_emplace({airs, points}, families_.size());
     if (!is_new) return found->second;
     std::vector<Situation> places;
+    places.reserve(points.size());
     for (const std::size_t i : points) places.push_back(airs ? *airs_[i] : skies_.scenes[i].situation);
     families_.push_back({std::move(points), Kriging(std::move(places), skies_.lengths)});
     return found->second;

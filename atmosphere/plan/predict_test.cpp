@@ -119,6 +119,7 @@ TEST_CASE("predict: several threads that ask at once are told what one is") {
     const std::vector<double> alone = bounds();
     std::vector<std::vector<double>> together(4);
     std::vector<std::thread> threads;
+    threads.reserve(together.size());
     for (std::vector<double>& result : together) threads.emplace_back([&] { result = bounds(); });
     for (std::thread& thread : threads) thread.join();
     for (const std::vector<double>& result : together) CHECK(result == alone);

@@ -34,7 +34,8 @@ std::string exclusions(const std::vector<PlanCandidate>& candidates) {
             known->second += ", " + one.setting.id();
     }
     std::string text;
-    for (const auto& [reason, settings] : reasons) text += (text.empty() ? "" : "; ") + reason + " (" + settings + ")";
+    for (const auto& [reason, settings] : reasons)
+        text.append(text.empty() ? "" : "; ").append(reason).append(" (").append(settings).append(")");
     return text.empty() ? "nothing was measured" : text;
 }
 

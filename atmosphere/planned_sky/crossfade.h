@@ -25,9 +25,9 @@ public:
     [[nodiscard]] Pictures* pictures(rhi::Texture target) noexcept;
     /// The state in which a composite wants its target.
     [[nodiscard]] rhi::State written() const noexcept;
-    /// Both pictures have been written; into the target, which is prepared, in written(), and stays there. `share`: of the
-    /// second.
-    void record(rhi::CommandList& commands, rhi::Texture target, double share);
+    /// Both pictures have been written; into the texture, a target which is prepared, in written(), and stays there. `share`:
+    /// of the second.
+    void record(rhi::CommandList& commands, rhi::Texture texture, double share);
     /// What the pictures hold is lost.
     void invalidate() noexcept;
 

@@ -303,7 +303,7 @@ TEST_CASE("planned sky: the air before near geometry comes where the hour calls 
                 {.margin = 0.1, .fade_frames = 2});
     shown.sky.prepare_composite(shown.targets);
     const auto go_to = [&](double sun_deg) {
-        const PlanUpdate update = shown.update(sun_deg);
+        PlanUpdate update = shown.update(sun_deg);
         for (int frame = 0; frame < 4; ++frame) {
             (void)shown.show();
             (void)shown.update(sun_deg);

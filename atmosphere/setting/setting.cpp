@@ -1,8 +1,5 @@
-#include <aureole/models/aureole.h>
-#include <aureole/models/bruneton.h>
-#include <aureole/models/hillaire.h>
-#include <aureole/models/single.h>
-#include <aureole/models/single_lut.h>
+#include "models/entries.h"
+
 #include <aureole/models/spectral.h>
 #include <aureole/setting.h>
 
@@ -14,7 +11,9 @@ namespace aureole {
 namespace {
 
 using models::BrunetonSettings;
+using models::FogSettings;
 using models::HillaireSettings;
+using models::ReferenceSettings;
 using models::SingleLutSettings;
 using models::SingleSettings;
 
@@ -69,6 +68,9 @@ bool leave_out(SingleLutSettings& s, std::string_view what) {
     return true;
 }
 
+bool leave_out(FogSettings&, std::string_view) { return false; }
+bool leave_out(ReferenceSettings&, std::string_view) { return false; }
+
 [[noreturn]] void reject_without(const Setting& setting, std::string_view what) {
     std::string allowed;
     for (const std::string_view name : names) allowed.append("\"").append(name).append("\", ");
@@ -90,16 +92,9 @@ ModelPtr make_model(const Setting& setting) {
     for (auto what = setting.without.begin(); what != setting.without.end(); ++what)
         if (std::find(setting.without.begin(), what, *what) != what)
             throw Error(ErrorCode::invalid_argument, "without", "\"" + *what + "\" twice", "each once");
-    const std::string &name = setting.model, &quality = setting.quality;
     if (setting.in_rgb() && setting.leaves_out(wavelengths)) reject_without(setting, wavelengths);
-    if (name == "aureole") return make(QualitySettings::by_name(quality), setting, &models::aureole);
-    if (name == "hillaire") return make(HillaireSettings::by_name(quality), setting, &models::hillaire);
-    if (name == "bruneton") return make(BrunetonSettings::by_name(quality), setting, &models::bruneton);
-    if (name == "single") return make(SingleSettings::by_name(quality), setting, &models::single);
-    if (name == "single-lut") return make(SingleLutSettings::by_name(quality), setting, &models::single_lut);
-    for (const std::string& what : setting.without)
-        if (is_simplification(what) && what != wavelengths) reject_without(setting, what);
-    return model_by_name(name, quality);
+    return detail::with_model(setting.model,
+                              [&](const auto& entry) { return make(entry.settings(setting.quality), setting, entry.make); });
 }
 
 ModelPtr in_its_colours(const Setting& setting, ModelPtr model) {

@@ -234,6 +234,7 @@ TEST_CASE("shadows: more samples and slices come closer to a fine march") {
     const AtmosphereParameters air = presets::earth();
     // Stripes of 250 m at many distances, then the sky beyond them.
     std::vector<double> distances;
+    distances.reserve(17);
     for (int i = 0; i < 16; ++i) distances.push_back(400 + 460.0 * i);
     distances.push_back(infinity);
     const auto seen = [&](std::uint32_t slices, std::uint32_t samples) {
@@ -248,6 +249,7 @@ TEST_CASE("shadows: more samples and slices come closer to a fine march") {
         map.world_to_map[0] = from_above(0, 16e3);
         rig.view.set_shadow_map(map);
         std::vector<double> values;
+        values.reserve(distances.size());
         for (const double distance : distances) values.push_back(middle(look_along(rig, distance, sun_at(60))));
         return values;
     };

@@ -200,6 +200,6 @@ TEST_CASE("spectrum: what is out of range is rejected") {
     CHECK(with([](EarthAir& a) { a.aerosol_scale_height_m = 0; }) == "air.aerosol_scale_height_m");
     CHECK(with([](EarthAir& a) { a.aerosol_albedo = 1.1; }) == "air.aerosol_albedo");
     CHECK(with([](EarthAir& a) { a.ozone.half_width_m = 0; }) == "air.ozone.half_width_m");
-    CHECK(with([](EarthAir& a) { a.aerosol_g = 1; }).find("g") != std::string::npos);
+    CHECK(with([](EarthAir& a) { a.aerosol_g = 1; }).find('g') != std::string::npos);
     CHECK(with([](EarthAir& a) { a.ground_albedo = 2; }) == "planet.ground_albedo.r");
 }

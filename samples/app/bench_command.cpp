@@ -35,7 +35,7 @@ void print_result(const BenchResult& result) {
     for (const PassCost& pass : result.passes) {
         line(pass.name.c_str(), pass.milliseconds);
         std::printf(" %12llu %12llu %12llu\n", static_cast<unsigned long long>(pass.counts.evaluations),
-                    static_cast<unsigned long long>(pass.counts.samples + pass.counts.fetches),
+                    static_cast<unsigned long long>(pass.counts.samples) + pass.counts.fetches,
                     static_cast<unsigned long long>(pass.counts.bytes));
     }
     const auto names = [&](std::size_t first, std::size_t count) {

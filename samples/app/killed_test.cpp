@@ -76,6 +76,7 @@ void kill_while_writing(const Writer& writer, std::chrono::microseconds after) {
 TEST_CASE("killed while writing: pictures, checkpoints and measurements are whole, the old ones or the new") {
     const auto backend = open_backend({.name = "cpu", .threads = 1});
     std::vector<ProbeRow> rows;
+    rows.reserve(300);
     for (int i = 0; i < 300; ++i) rows.push_back({60, 0.2, 30, 0.5 * i});
     const TraceSettings settings{.error = 1};
     Tracer fresh(*backend, presets::airless(), rows, settings), traced(*backend, presets::airless(), rows, settings);

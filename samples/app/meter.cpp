@@ -44,6 +44,16 @@ std::vector<double> solid_angles(const Camera& camera, std::uint32_t width, std:
     return all;
 }
 
+Thinned thinned(std::span<const float> rgba, std::uint32_t width, std::uint32_t height, std::uint32_t step) {
+    Thinned some{(width + step - 1) / step, (height + step - 1) / step, {}};
+    for (std::size_t y = 0; y < height; y += step)
+        for (std::size_t x = 0; x < width; x += step) {
+            const auto pixel = rgba.subspan(4 * (y * width + x), 4);
+            some.rgba.insert(some.rgba.end(), pixel.begin(), pixel.end());
+        }
+    return some;
+}
+
 double automatic_exposure(std::span<const float> rgba, std::span<const double> solid_angles) {
     std::vector<std::pair<double, double>> pixels;  // luminance, solid angle
     double seen = 0;

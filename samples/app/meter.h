@@ -13,6 +13,13 @@ namespace aureole::app {
 /// kind of projection.
 [[nodiscard]] std::vector<double> solid_angles(const Camera& camera, std::uint32_t width, std::uint32_t height);
 
+/// Every `step`-th pixel of every `step`-th row of a picture, its first among them: enough for the meter.
+struct Thinned {
+    std::uint32_t width = 0, height = 0;
+    std::vector<float> rgba;
+};
+[[nodiscard]] Thinned thinned(std::span<const float> rgba, std::uint32_t width, std::uint32_t height, std::uint32_t step);
+
 /// Exposure that makes the brightest part of a picture bright: the log-average luminance of the brightest 0.3 sr (a disk of 35
 /// degrees; at most half of the picture) becomes 0.8. Measured over a solid angle, not over a share of the pixels, a panorama
 /// gets the exposure of a picture of its bright side. Black pixels are left out; 1 for a black picture.

@@ -64,3 +64,17 @@ TEST_CASE("automatic exposure: projections of the same scene agree within a stop
         CHECK(std::abs(std::log2(exposure(Projection::fisheye) / picture)) < 1);
     }
 }
+
+TEST_CASE("thinned: every so many pixels, and one at least") {
+    std::vector<float> rgba;
+    for (int i = 0; i < 4 * 6 * 3; ++i) rgba.push_back(static_cast<float>(i));
+    const Thinned whole = thinned(rgba, 6, 3, 1), some = thinned(rgba, 6, 3, 4),
+                  small = thinned({rgba.data(), 4 * 3 * 2}, 3, 2, 4);
+    CHECK(whole.rgba == rgba);
+    CHECK(some.width == 2);
+    CHECK(some.height == 1);
+    CHECK(some.rgba == std::vector<float>{0, 1, 2, 3, 16, 17, 18, 19});
+    CHECK(small.width == 1);
+    CHECK(small.height == 1);
+    CHECK(small.rgba == std::vector<float>{0, 1, 2, 3});
+}

@@ -1,11 +1,12 @@
 #include "app/progress.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace aureole::app {
 
 std::string print_duration(double seconds) {
-    const long s = static_cast<long>(seconds + 0.5);
+    const long s = std::lround(seconds);
     char text[64];
     if (s < 60)
         std::snprintf(text, sizeof text, "%ld s", s);

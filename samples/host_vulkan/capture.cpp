@@ -36,7 +36,7 @@ aureole::app::DisplayImage Capture::read() const {
     const bool blue_first = format_ == VK_FORMAT_B8G8R8A8_UNORM || format_ == VK_FORMAT_B8G8R8A8_SRGB;
     aureole::app::DisplayImage image{extent_.width, extent_.height, {}};
     for (std::size_t pixel = 0; pixel < buffer_.bytes.size(); pixel += 4)
-        for (const std::size_t channel : {0, 1, 2})
+        for (const std::size_t channel : {0U, 1U, 2U})
             image.rgb.push_back(static_cast<std::uint8_t>(buffer_.bytes[pixel + (blue_first ? 2 - channel : channel)]));
     return image;
 }

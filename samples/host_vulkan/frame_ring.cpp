@@ -41,7 +41,7 @@ FrameRing::FrameRing(const Device& device, std::uint32_t frames, bool async_comp
     for (Frame& frame : frames_) make(frame, uniform_bytes);
 }
 
-void FrameRing::make_commands(Frame& frame) {
+void FrameRing::make_commands(Frame& frame) const {
     const auto allocate = [&](VkCommandPool& pool, std::uint32_t family, std::initializer_list<VkCommandBuffer*> buffers) {
         auto info = info_of<VkCommandPoolCreateInfo>(VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO);
         info.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
@@ -105,7 +105,7 @@ void FrameRing::begin(Frame& frame, std::uint64_t number) {
         check(vkBeginCommandBuffer(part, &info), "vkBeginCommandBuffer");
 }
 
-void FrameRing::submit(Frame& frame, const Swapchain::Target& target) {
+void FrameRing::submit(Frame& frame, const Swapchain::Target& target) const {
     check(vkEndCommandBuffer(frame.commands.shadows), "vkEndCommandBuffer");
     const VkCommandBufferSubmitInfo shadows = of(frame.commands.shadows);
     const VkSemaphoreSubmitInfo acquired = at(frame.acquired, VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT);

@@ -46,13 +46,13 @@ public:
     /// Starts its recording as frame `number`; `wait` gives the next one from here on.
     void begin(Frame& frame, std::uint64_t number);
     /// Ends its recording and submits it; `target` is rendered to by the last part alone.
-    void submit(Frame& frame, const Swapchain::Target& target);
+    void submit(Frame& frame, const Swapchain::Target& target) const;
 
     [[nodiscard]] std::vector<Frame>& all() noexcept { return frames_; }
 
 private:
     void make(Frame& frame, VkDeviceSize uniform_bytes);
-    void make_commands(Frame& frame);
+    void make_commands(Frame& frame) const;
 
     const Device& device_;
     bool async_;

@@ -38,7 +38,7 @@ void barrier(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect,
 class Image {
 public:
     /// `shared`: by the families of both queues.
-    Image(const Device& device, VkFormat format, VkExtent2D extent, VkImageUsageFlags usage, bool shared = false);
+    Image(const Device& device, VkFormat format, VkExtent2D size, VkImageUsageFlags usage, bool shared = false);
     ~Image();
     Image(const Image&) = delete;
     Image& operator=(const Image&) = delete;

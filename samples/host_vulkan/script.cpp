@@ -13,7 +13,8 @@ std::vector<glm::dvec4> place_spheres(const app::Scene& scene, const TerrainMesh
     for (std::uint32_t i = 0; i < count; ++i) {
         const double distance = 150 * std::pow(2.2, i), radius = 0.045 * distance;
         app::ScenePose pose = scene.camera.pose;
-        pose.bearing_deg += 8.0 * (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2) - 3;  // the near ones in the middle
+        const std::uint32_t pair = (i + 1) / 2;  // the near ones in the middle
+        pose.bearing_deg += 8.0 * (i % 2 == 0 ? 1 : -1) * pair - 3;
         pose.elevation_deg = -7 + 0.5 * i;
         spheres.emplace_back(glm::dvec3(0, 0, scene.atmosphere.planet.bottom_radius_m + mesh.camera_altitude_m) +
                                  distance * app::direction_of(pose),

@@ -26,7 +26,7 @@ public:
     /// In pixels; 0 x 0 while it is minimized.
     [[nodiscard]] VkExtent2D size() const;
     /// Asks for another size and waits, a second at most, until the window has it.
-    void resize(VkExtent2D size);
+    void resize(VkExtent2D wanted);
     /// How far keys ask to turn since the last call: right and up, degrees.
     struct Turn {
         double right_deg = 0, up_deg = 0;

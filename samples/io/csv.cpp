@@ -54,7 +54,7 @@ std::vector<std::size_t> find_columns(const std::vector<std::string_view>& heade
             std::string known;
             for (const std::string_view h : header) known.append(known.empty() ? "" : ",").append(h);
             throw Error(ErrorCode::invalid_argument,
-                        where + ": column " + std::string(name) + " is missing; there are: " + known);
+                        std::string(where).append(": column ").append(name).append(" is missing; there are: ").append(known));
         }
         indices.push_back(found);
     }

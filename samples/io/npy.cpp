@@ -43,7 +43,7 @@ std::vector<std::size_t> parse_shape(std::string_view text, const Fault& fault) 
     std::vector<std::size_t> shape;
     std::size_t total = 1;
     while (true) {
-        const std::size_t first = text.find_first_not_of(" ");
+        const std::size_t first = text.find_first_not_of(' ');
         if (first == std::string_view::npos) return shape;  // () or behind the last comma
         text.remove_prefix(first);
         std::size_t length = 0;
@@ -54,7 +54,7 @@ std::vector<std::size_t> parse_shape(std::string_view text, const Fault& fault) 
         shape.push_back(length);
         if (shape.size() > most_dimensions) fault("its shape has more than 32 dimensions");
         text.remove_prefix(static_cast<std::size_t>(after - text.data()));
-        const std::size_t comma = text.find_first_not_of(" ");
+        const std::size_t comma = text.find_first_not_of(' ');
         if (comma == std::string_view::npos) return shape;
         if (text[comma] != ',') fault("its shape holds what is no number");
         text.remove_prefix(comma + 1);

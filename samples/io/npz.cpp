@@ -7,6 +7,7 @@
 #include <zip.h>
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <string_view>
 
 namespace aureole::app {
@@ -72,7 +73,7 @@ struct NpzFile::Impl {
 
 NpzFile::NpzFile(const std::filesystem::path& path) {
     (void)read_file(path);  // says in our words what is wrong with the name
-    impl_.reset(new Impl{path, open_archive(path), {}, {}});
+    impl_ = std::make_unique<Impl>(Impl{path, open_archive(path), {}, {}});
     const zip_int64_t count = zip_get_num_entries(impl_->archive.get(), 0);
     for (zip_int64_t i = 0; i < count; ++i) {
         const char* raw = zip_get_name(impl_->archive.get(), static_cast<zip_uint64_t>(i), 0);

@@ -63,9 +63,9 @@ bool read_rows(png_structp png, png_infop info, const Header& header, std::vecto
 }
 
 struct Reader {
-    explicit Reader(Source& source) {
-        png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_error, on_warning);
-        info = png ? png_create_info_struct(png) : nullptr;
+    explicit Reader(Source& source)
+        : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_error, on_warning)),
+          info(png ? png_create_info_struct(png) : nullptr) {
         if (!info) {
             png_destroy_read_struct(&png, &info, nullptr);
             throw Error(ErrorCode::out_of_memory, "libpng could not be started");
@@ -75,8 +75,8 @@ struct Reader {
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
 
-    png_structp png = nullptr;
-    png_infop info = nullptr;
+    png_structp png;
+    png_infop info;
 };
 
 }  // namespace

@@ -43,8 +43,9 @@ AtmosphereParameters even_air(const Rgb& scattering_per_m, const Rgb& absorption
 
 /// Zenith's cosine of a pixel's ray, by the angles of a picture 60 degrees high.
 double pixel_mu(std::size_t pixel) {
-    const double x = (static_cast<double>(pixel % aerial_width) + 0.5) / aerial_width * 2 - 1;
-    const double y = 1 - (static_cast<double>(pixel / aerial_width) + 0.5) / aerial_height * 2;
+    const std::size_t column = pixel % aerial_width, row = pixel / aerial_width;
+    const double x = (static_cast<double>(column) + 0.5) / aerial_width * 2 - 1;
+    const double y = 1 - (static_cast<double>(row) + 0.5) / aerial_height * 2;
     const double half = std::tan(std::numbers::pi / 6), wide = half * aerial_width / aerial_height;
     return y * half / std::sqrt(1 + y * y * half * half + x * x * wide * wide);
 }

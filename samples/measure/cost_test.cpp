@@ -136,7 +136,7 @@ TEST_CASE("costs: features are told apart: a second sun, and shadows where the m
     CHECK(found[1].composite_shadows_ms.median == 0);
     CHECK(found[1].shadow_bytes == 0);
     options.features = false;
-    const Cost plain = costs(*backend, {&subjects[0], 1}, options).at(0);
+    const Cost plain = costs(*backend, {subjects.data(), 1}, options).at(0);
     CHECK(plain.shadows_ms.median == 0);
     CHECK(plain.table_bytes == found[0].table_bytes);
     CHECK(plain.per_frame.evaluations == found[0].per_frame.evaluations);

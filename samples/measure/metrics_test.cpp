@@ -91,8 +91,9 @@ TEST_CASE("metrics: colours as a display shows them") {
 TEST_CASE("metrics: a band is a step that the finer picture does not have") {
     std::vector<Rgb> smooth, banded;
     for (int i = 0; i < 40; ++i) {
+        const int band = i / 4;
         smooth.emplace_back(0.2 + 0.01 * i);
-        banded.emplace_back(0.2 + 0.04 * (i / 4));
+        banded.emplace_back(0.2 + 0.04 * band);
     }
     CHECK(banding(smooth, smooth, 1) == 0);
     const double found = banding(banded, smooth, 1);

@@ -54,7 +54,7 @@ std::string comment(TruthKind kind, TraceParameters parameters) {
 /// Where a line of parameters ends in "name=number": that number, which is cut off.
 std::optional<int> cut_off(std::string& line, std::string_view name) {
     const std::size_t space = line.rfind(' ');
-    if (space == line.npos || line.compare(space + 1, name.size() + 1, std::string(name) + "=") != 0) return {};
+    if (space == std::string::npos || line.compare(space + 1, name.size() + 1, std::string(name) + "=") != 0) return {};
     int value = 0;
     const char* const end = line.data() + line.size();
     const auto [rest, error] = std::from_chars(line.data() + space + name.size() + 2, end, value);

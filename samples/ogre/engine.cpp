@@ -54,8 +54,8 @@ void Engine::start(std::uint32_t width, std::uint32_t height) {
 
 void Engine::load_materials() {
     auto& resources = Ogre::ResourceGroupManager::getSingleton();
-    for (const char* folder :
-         {AUREOLE_OGRE_MEDIA, AUREOLE_OGRE_DISPLAY})  // the second for display.glsl, which show.frag includes
+    // The second for what show.frag includes.
+    for (const char* folder : {AUREOLE_OGRE_MEDIA, AUREOLE_OGRE_GLSL})
         resources.addResourceLocation(folder, "FileSystem", group());
     resources.initialiseResourceGroup(group());
 }

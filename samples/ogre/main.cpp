@@ -133,18 +133,9 @@ private:
 
     /// What the meter (app/meter.h) says of the picture of the frame before: every fourth pixel of every fourth row.
     void meter() {
-        constexpr std::uint32_t step = 4;
-        const std::vector<float> all = Engine::read(engine_.picture());
-        const std::uint32_t width = size_.width / step, height = size_.height / step;
-        std::vector<float> some;
-        for (std::uint32_t y = 0; y < height; ++y)
-            for (std::uint32_t x = 0; x < width; ++x) {
-                const auto pixel =
-                    all.begin() + static_cast<std::ptrdiff_t>(4 * (std::size_t{y} * step * size_.width + x * step));
-                some.insert(some.end(), pixel, pixel + 4);
-            }
-        const Camera camera = app::camera_of(scene_, altitude_m_, width, height);
-        metered_ = app::automatic_exposure(some, app::solid_angles(camera, width, height));
+        const app::Thinned some = app::thinned(Engine::read(engine_.picture()), size_.width, size_.height, 4);
+        const Camera camera = app::camera_of(scene_, altitude_m_, some.width, some.height);
+        metered_ = app::automatic_exposure(some.rgba, app::solid_angles(camera, some.width, some.height));
     }
 
     void draw() {

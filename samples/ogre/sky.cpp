@@ -21,7 +21,7 @@ Ogre::ColourValue colour(const Rgb& rgb) {
 }  // namespace
 
 Camera camera_of(const Ogre::Camera& camera, const Axes& axes) {
-    const Ogre::Quaternion q = camera.getRealOrientation();
+    const Ogre::Quaternion& q = camera.getRealOrientation();
     const glm::dquat turn = glm::normalize(glm::dquat(q.w, q.x, q.y, q.z));
     const Ogre::Matrix4& projection = camera.getProjectionMatrix();
     Camera made;

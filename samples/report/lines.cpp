@@ -92,7 +92,7 @@ std::vector<Column> columns_of(const Measurements& all) {
     parts.emplace_back(sum_name);
     for (const std::string& what : split)
         for (const std::string& part : parts)
-            add_spread(columns, what == "all" ? part : what + "_" + part, [=](const Row& row) {
+            add_spread(columns, what == "all" ? part : std::string(what).append("_").append(part), [=](const Row& row) {
                 const auto found = row.result.split.find(what);
                 return found == row.result.split.end() ? nullptr : find(found->second, part);
             });

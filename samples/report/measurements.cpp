@@ -28,8 +28,7 @@ public:
 
     [[nodiscard]] bool has(const std::string& key) const { return object().contains(key); }
     [[nodiscard]] Field at(const std::string& key) const {
-        const Field member(object().contains(key) ? object()[key] : nothing(), file_,
-                           place_.empty() ? key : place_ + "." + key);
+        Field member(object().contains(key) ? object()[key] : nothing(), file_, place_.empty() ? key : place_ + "." + key);
         if (!object().contains(key)) throw Error(ErrorCode::invalid_argument, member.name() + ": is missing");
         return member;
     }
@@ -194,15 +193,15 @@ MeasuredCost read_cost(const Field& field, const std::set<std::string>& airs, co
     for (const std::string when : {"per_frame", "rebuild"})
         if (field.has(when))
             for (const std::string what : {"medium_evaluations", "fetches", "bytes_written"})
-                cost.figures[when + "_" + what] = field.at(when).at(what).amount();
+                cost.figures[std::string(when).append("_").append(what)] = field.at(when).at(what).amount();
     if (field.has("bytes")) cost.figures["bytes"] = field.at("bytes").amount();
     return cost;
 }
 
 std::string read_png(const Field& field) {
-    const std::string text = field.text();
+    std::string text = field.text();
     const bool base64 =
-        text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/=") == text.npos;
+        text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/=") == std::string::npos;
     if (!base64 || !text.starts_with("iVBORw0KGg")) field.reject("a PNG file in base64");
     return text;
 }

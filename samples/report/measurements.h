@@ -103,6 +103,6 @@ inline constexpr std::array<Figure, 10> cost_figures{{{"per_frame_ms", "per fram
 
 /// `source` is the file's name, for messages. Throws Error(invalid_argument) that names file, field, value and what is allowed:
 /// another version, a member that is missing or of another kind, a number out of range, an id that is doubled or unknown.
-[[nodiscard]] Measurements read_measurements(const nlohmann::json& json, const std::string& source);
+[[nodiscard]] Measurements read_measurements(const nlohmann::json& document, const std::string& source);
 
 }  // namespace aureole::app::report

@@ -51,7 +51,7 @@ std::string in_unit(const std::map<std::string, double>& figures, const Figure& 
     const std::string key(figure.key);
     const auto found = figures.find(key), low = figures.find(key + "_p10"), high = figures.find(key + "_p90");
     if (found == figures.end()) return std::string(not_measured);
-    const std::string value = in_unit(found->second, figure.unit);
+    std::string value = in_unit(found->second, figure.unit);
     if (low == figures.end() || high == figures.end()) return value;
     return value + " (" + in_unit(low->second, figure.unit) + " to " + in_unit(high->second, figure.unit) + ")";
 }

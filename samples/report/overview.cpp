@@ -148,8 +148,9 @@ std::string geometry_by_distance(const Measurements& all, const std::vector<Clas
                 any |= known;
                 return known ? in_unit(here->regions.at(region).p95, Unit::percent) : std::string(not_measured);
             };
-            const std::string near = p95("aerial near"), far = p95("aerial far");
-            cells.push_back(near == far ? near : near + " / " + far);
+            std::string cell = p95("aerial near");
+            if (const std::string far = p95("aerial far"); far != cell) cell.append(" / ").append(far);
+            cells.push_back(std::move(cell));
         }
         if (any) table.rows.push_back(std::move(cells));
     }

@@ -157,6 +157,7 @@ std::vector<ClassSummary> summarize(const Measurements& all) {
     for (const MeasuredScene& scene : all.scenes)
         if (std::find(names.begin(), names.end(), scene.scene_class) == names.end()) names.push_back(scene.scene_class);
     std::vector<ClassSummary> classes;
+    classes.reserve(names.size());
     for (const std::string& name : names) classes.push_back(summarize_class(all, name));
     return classes;
 }

@@ -147,7 +147,7 @@ glm::dvec3 direction_of(const ScenePose& pose) {
 std::optional<std::string> read_spectral(Section& section, std::string_view key) {
     const auto reject = [&] { section.reject(key, section.printed(key), "\"rgb\", or a whole number in [3, 42]"); };
     if (section.is_text(key)) {
-        const std::optional<std::string> text = section.text(key);
+        std::optional<std::string> text = section.text(key);
         if (text != "rgb") reject();
         return text;
     }

@@ -3,7 +3,7 @@
 #include "terrain/noise.h"
 #include "terrain/pixel_rays.h"
 
-#include <aureole/rhi/kernel/cpu_kernel.h>
+#include <aureole/light.h>
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -17,13 +17,6 @@
 
 namespace aureole::app {
 namespace {
-
-/// The shaders' formulas.
-template <class real>
-struct Harmonics {
-    AUREOLE_KERNEL_TYPES
-#include "../../atmosphere/light/harmonics.glsl"
-};
 
 double smooth(double low, double high, double x) {
     const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
@@ -95,14 +88,6 @@ struct Shading {
 };
 
 }  // namespace
-
-Rgb sky_irradiance(const std::array<Rgb, 9>& sky, const glm::dvec3& n) {
-    Harmonics<double> harmonics;
-    Rgb sum(0);
-    for (int i = 0; i < Harmonics<double>::HARMONIC_COUNT; ++i)
-        sum += harmonics.harmonic_irradiance(i, n) * sky[static_cast<std::size_t>(i)];
-    return glm::max(sum, Rgb(0));
-}
 
 Rgb natural_albedo(glm::dvec2 place, double height_m, const glm::dvec3& normal, double footprint_m) {
     const Rgb meadow(0.105, 0.125, 0.045), straw(0.20, 0.165, 0.085), forest(0.032, 0.047, 0.017), rock(0.21, 0.19, 0.165);

@@ -46,9 +46,6 @@ struct TerrainPicture {
                                           const TerrainLight& light, const TerrainLook& look, std::uint32_t width,
                                           std::uint32_t height);
 
-/// Irradiance of a surface with the unit normal `normal` under SH-L2 radiance (Ramamoorthi & Hanrahan 2001).
-[[nodiscard]] Rgb sky_irradiance(const std::array<Rgb, 9>& sky, const glm::dvec3& normal);
-
 /// Diffuse albedo of a natural surface: `normal` in (east, north, up), `footprint_m` the width of the pixel on the ground.
 [[nodiscard]] Rgb natural_albedo(glm::dvec2 place, double height_m, const glm::dvec3& normal, double footprint_m);
 

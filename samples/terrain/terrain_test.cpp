@@ -2,6 +2,8 @@
 
 #include "terrain/noise.h"
 
+#include <aureole/light.h>
+
 #include <doctest/doctest.h>
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -85,7 +85,11 @@ struct Case {
 void check_all(std::span<const Case> cases) {
     const AtmosphereParameters air = presets::earth();
     std::map<std::string, std::vector<Rgb>> fine;
-    for (const auto& [model, what, coarse, median, p95] : cases) {
+    for (const Case& one : cases) {
+        const auto& model = one.model;
+        const auto& what = one.what;
+        const auto& coarse = one.coarse;
+        const double median = one.median, p95 = one.p95;
         CAPTURE(model);
         CAPTURE(what);
         if (!fine.contains(model)) fine[model] = seen_by(prepare({model, "converged", "rgb", {}}, air)->model, air);

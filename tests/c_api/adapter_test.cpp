@@ -23,7 +23,7 @@ struct Host {
     std::unique_ptr<cpu::CpuDevice> cpu = cpu::create_cpu_device();
     bool fail = false;
 
-    [[nodiscard]] rhi::Device& device() { return cpu->device(); }
+    [[nodiscard]] rhi::Device& device() const { return cpu->device(); }
 };
 Host& host(void* user) { return *static_cast<Host*>(user); }
 rhi::Device& device(void* user) { return host(user).device(); }

@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <span>
 
 #include "c_api/small_pictures.h"
@@ -117,7 +118,7 @@ struct Rig {
 Camera camera_at(double altitude_m) { return look(6360e3, altitude_m, 0.3, 0.2, 1.2, 1.6); }
 
 Sun sun_at(double elevation_deg) {
-    const double elevation = elevation_deg * 3.14159265358979323846 / 180;
+    const double elevation = elevation_deg * std::numbers::pi / 180;
     Sun sun;
     sun.direction = {std::cos(elevation), 0, std::sin(elevation)};
     return sun;
@@ -181,8 +182,8 @@ int told(const Act& act) {
 
 }  // namespace
 
-int small_picture_by_cpp(int which, float* out) {
-    return told([&] { render(which, out); });
+int small_picture_by_cpp(int model, float* out) {
+    return told([&] { render(model, out); });
 }
 
 int planned_frames_by_cpp(planned_frame* out) {

@@ -53,7 +53,7 @@ bool accepts_value(Reader&& reader) {
 /// The bytes as a file of this name, in a folder that goes with the program.
 inline std::filesystem::path file_of(const std::uint8_t* data, std::size_t size, const char* name) {
     static const ScratchFolder folder;
-    const std::filesystem::path path = folder.path() / name;
+    std::filesystem::path path = folder.path() / name;
     std::filesystem::remove(path);  // some file systems write a file that is truncated and filled again through to the disk
     std::ofstream stream(path, std::ios::binary);
     stream.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));

@@ -11,7 +11,8 @@
 #include <random>
 #include <vector>
 
-// Of the sanitizers, which end a program without a signal.
+// Of the sanitizers, which end a program without a signal: the name is theirs.
+// NOLINTNEXTLINE(bugprone-reserved-identifier)
 extern "C" __attribute__((weak)) void __sanitizer_set_death_callback(void (*)());
 
 namespace {
@@ -109,6 +110,7 @@ int main(int count, char** arguments) {
     }
     std::ranges::sort(files);
     std::vector<Input> inputs;
+    inputs.reserve(files.size());
     for (const std::filesystem::path& file : files) inputs.push_back(read(file));
     if (inputs.empty()) return std::fprintf(stderr, "usage: replay FOLDER|FILE... [--changes N]\n"), 2;
 

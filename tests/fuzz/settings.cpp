@@ -155,7 +155,7 @@ ModelPtr reference_of(fuzz::Bytes& bytes) {
 ModelPtr model_of(fuzz::Bytes& bytes) {
     using Maker = ModelPtr (*)(fuzz::Bytes&);
     static constexpr Maker makers[] = {aureole_of, hillaire_of, bruneton_of, single_of, fog_of, single_lut_of, reference_of};
-    const ModelPtr model = makers[bytes.below(std::size(makers))](bytes);
+    ModelPtr model = makers[bytes.below(std::size(makers))](bytes);
     if (!bytes.flag()) return model;
     models::SpectralSettings s;
     s.wavelengths = spectrum::equal_bins(whole(bytes, 1, 400));

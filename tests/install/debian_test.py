@@ -24,6 +24,7 @@ WANTED = {
     'libaureole-dev': {
         'needs': ['libglm-dev', 'libspdlog-dev', 'libtbb12'],  # the last for the C library
         'holds': ['usr/include/aureole/atmosphere.h', 'usr/include/aureole/rhi/device.h', 'usr/include/aureole/glsl/aureole.glsl',
+                  'usr/include/aureole/glsl/aureole_display.glsl',
                   'usr/lib/libaureole_atmosphere.a', 'usr/lib/pkgconfig/aureole.pc', 'usr/lib/pkgconfig/aureole-c.pc',
                   'usr/lib/libaureole_c.so.1', 'usr/lib/cmake/aureole/aureole-config.cmake',
                   'usr/share/doc/aureole/docs/integration.md', 'usr/share/doc/libaureole-dev/copyright'],

@@ -53,7 +53,8 @@ TEST_CASE("the processor's flags: no model computes what is no number, or too la
             setup.composite.target_format = rhi::Format::rgba32_float;
             Rig rig(*cpu, setup);
             CHECK(noted([&] { rig.record_air(); }) == "");
-            for (const auto& [altitude, elevation] : {std::pair(2.0, 90.0), {0.0, 0.0}, {1e4, -4.0}, {3e5, 5.0}}) {
+            for (const auto& place : {std::pair(2.0, 90.0), {0.0, 0.0}, {1e4, -4.0}, {3e5, 5.0}}) {
+                const double altitude = place.first, elevation = place.second;
                 CAPTURE(altitude);
                 CAPTURE(elevation);
                 CHECK(noted([&] { rig.record_view(camera_at(setup.air.planet, altitude), sun_at(elevation)); }) == "");

@@ -9,6 +9,7 @@
 #endif
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 namespace aureole::passes {
@@ -72,7 +73,7 @@ Backend::Backend(std::string name, std::unique_ptr<OpenDevice> inner)
 }
 
 Backend::~Backend() {
-    for (auto handle = made_.rbegin(); handle != made_.rend(); ++handle) counting_->destroy(*handle, 0);
+    for (const auto& handle : std::views::reverse(made_)) counting_->destroy(handle, 0);
     CHECK(counting_->live() == 0);
     queue_->wait();
     queue_.reset();

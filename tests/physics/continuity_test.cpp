@@ -133,6 +133,7 @@ TEST_CASE("sun at the zenith: the sky is the same all around, and next to it too
         const double lowest = altitude > 100e3 ? 2.2 : 1.5;
         sky.stand(altitude, sun_at(0));
         std::vector<glm::dvec3> ring;
+        ring.reserve(12);
         for (int k = 0; k < 12; ++k) ring.push_back(direction(lowest, 2 * pi * k / 12 + 0.01));
         std::vector<Rgb> seen = sky.radiance(ring);
         for (const Rgb& value : seen) CHECK(apart(value, seen[0]) < 2e-5);

@@ -105,11 +105,14 @@ TEST_CASE("a flat layer: every order of scattering, and the error falls with the
     REQUIRE(cases.size() == limits.size());
 
     std::printf("flat layer: median / worst error in %%, by angular order\n");
-    for (const auto& [name, rows] : cases) {
+    for (const auto& one : cases) {
+        const auto& name = one.first;
+        const auto& rows = one.second;
         CAPTURE(name);
         std::printf("%-20s", name.c_str());
         double before = INFINITY;
-        for (const auto& [order, limit] : limits.at(name).by_order) {
+        for (const auto& [angular_order, limit] : limits.at(name).by_order) {
+            const auto order = angular_order;
             CAPTURE(order);
             const Errors errors = errors_of(rows, order);
             std::printf("  L = %d: %5.2f / %6.2f", order, errors.median, errors.worst);
@@ -170,7 +173,8 @@ TEST_CASE("a flat layer: the irradiance of the ground, direct and diffuse, is wh
                                                {"rayleigh_absorbing", 0.2},
                                                {"rayleigh_thick", 5}};
     std::printf("flat layer: irradiance of the ground, table and library, of which direct\n");
-    for (const auto& [name, bound] : bounds) {
+    for (const auto& [key, bound] : bounds) {
+        const auto& name = key;
         CAPTURE(name);
         const std::vector<Row>& rows = cases.at(name);
         const double mu = number(rows[0], "sun_mu"), depth = number(rows[0], "optical_depth");

@@ -90,7 +90,9 @@ TEST_CASE("thin air is E sigma p(nu) times its length, for every phase function"
         {"tabulated Cornette-Shanks", tabulated(CornetteShanksPhase{0.8}, 1801)},
         {"tabulated, a ramp", TabulatedPhase{{0, pi / 3, pi}, {3, 1, 2}}},
     };
-    for (const auto& [name, phase] : phases) {
+    for (const auto& one : phases) {
+        const auto& name = one.name;
+        const auto& phase = one.phase;
         CAPTURE(name);
         CHECK_WORST(thin_air_error(cpu_float(), QualitySettings::standard(), phase), 3e-3);
     }

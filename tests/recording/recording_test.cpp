@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <new>
+#include <numbers>
 #include <utility>
 
 #include "allocations.h"
@@ -30,7 +31,7 @@ AtmosphereParameters with_albedo(double albedo) {
 /// Another structure, with tables to upload.
 AtmosphereParameters tabulated(double albedo) {
     AtmosphereParameters air = with_albedo(albedo);
-    air.terms[1].phase = TabulatedPhase{{0, 0.3, 1.5, 3.14159265358979}, {30, 4, 1, 0.7}};
+    air.terms[1].phase = TabulatedPhase{{0, 0.3, 1.5, std::numbers::pi}, {30, 4, 1, 0.7}};
     air.terms[2].profile = TabulatedProfile{{0, 15e3, 30e3, 60e3}, {0.1, 0.5, 1 + albedo, 0}};
     return air;
 }

@@ -16,8 +16,8 @@
 namespace aureole::c_api {
 
 // Device.
-[[nodiscard]] rhi::TextureDesc to_cpp(const aureole_texture_desc& desc, std::string_view name);
-[[nodiscard]] rhi::ExternalTexture to_cpp(const aureole_external_texture& external);
+[[nodiscard]] rhi::TextureDesc to_cpp(const aureole_texture_desc& c, std::string_view name);
+[[nodiscard]] rhi::ExternalTexture to_cpp(const aureole_external_texture& c);
 [[nodiscard]] aureole_texture_desc to_c(const rhi::TextureDesc& desc);
 [[nodiscard]] aureole_external_texture to_c(const rhi::ExternalTexture& external, const aureole_texture_desc* desc);
 [[nodiscard]] rhi::State state_of(aureole_state state, std::string_view name);
@@ -55,24 +55,24 @@ void write_reports(std::span<const PassReport> reports, aureole_pass_report* out
 
 // View.
 [[nodiscard]] aureole_view_settings to_c(const ViewSettings& settings);
-[[nodiscard]] ViewSettings to_cpp(const aureole_view_settings& settings);
+[[nodiscard]] ViewSettings to_cpp(const aureole_view_settings& c);
 [[nodiscard]] aureole_composite_settings to_c(const CompositeSettings& settings);
-[[nodiscard]] CompositeSettings to_cpp(const aureole_composite_settings& settings);
+[[nodiscard]] CompositeSettings to_cpp(const aureole_composite_settings& c);
 [[nodiscard]] aureole_camera to_c(const Camera& camera);
-[[nodiscard]] Camera to_cpp(const aureole_camera& camera);
+[[nodiscard]] Camera to_cpp(const aureole_camera& c);
 [[nodiscard]] aureole_sun to_c(const Sun& sun);
 [[nodiscard]] std::vector<Sun> read_suns(const aureole_sun* suns, std::uint32_t count);
 [[nodiscard]] aureole_shadow_map to_c(const ShadowMap& map);
-[[nodiscard]] ShadowMap to_cpp(const aureole_shadow_map& map);
+[[nodiscard]] ShadowMap to_cpp(const aureole_shadow_map& c);
 [[nodiscard]] aureole_composite_targets to_c(const CompositeTargets& targets);
-[[nodiscard]] CompositeTargets to_cpp(const aureole_composite_targets& targets);
+[[nodiscard]] CompositeTargets to_cpp(const aureole_composite_targets& c);
 [[nodiscard]] CompositeTargets read_targets(const aureole_composite_targets* targets);
 
 // Plan.
 [[nodiscard]] aureole_requirements to_c(const PlanRequirements& needs);
-[[nodiscard]] PlanRequirements to_cpp(const aureole_requirements& requirements);
+[[nodiscard]] PlanRequirements to_cpp(const aureole_requirements& c);
 [[nodiscard]] aureole_follow_settings to_c(const FollowSettings& settings);
-[[nodiscard]] FollowSettings to_cpp(const aureole_follow_settings& settings);
+[[nodiscard]] FollowSettings to_cpp(const aureole_follow_settings& c);
 
 [[nodiscard]] Rgb rgb(const double from[3]);
 void copy(const Rgb& from, double to[3]);

@@ -59,7 +59,7 @@ protected:
 };
 
 struct aureole_atmosphere {
-    aureole_atmosphere(aureole_device& on, const aureole::Setting& chosen, const aureole::AtmosphereParameters& air,
+    aureole_atmosphere(aureole_device& on, const aureole::Setting& chosen, const aureole::AtmosphereParameters& parameters,
                        const aureole::ModelPtr& model);
     ~aureole_atmosphere();
     aureole_atmosphere(const aureole_atmosphere&) = delete;

@@ -1,11 +1,6 @@
 // Settings of models by number: each field by the name that it has in C++. Ranges are the models' own to check.
-#include <aureole/models/aureole.h>
-#include <aureole/models/bruneton.h>
-#include <aureole/models/fog.h>
-#include <aureole/models/hillaire.h>
-#include <aureole/models/reference.h>
-#include <aureole/models/single.h>
-#include <aureole/models/single_lut.h>
+#include "models/entries.h"
+
 #include <aureole/models/spectral.h>
 
 #include <algorithm>
@@ -232,16 +227,10 @@ Numbers numbers_of(Settings settings, const Setting& chosen, std::span<const aur
 
 }  // namespace
 
-Numbers make_by_numbers(const Setting& s, std::span<const aureole_number> n) {
-    if (s.model == "fog") return numbers_of(FogSettings::by_name(s.quality), s, n, &fog);
-    if (s.model == "single") return numbers_of(SingleSettings::by_name(s.quality), s, n, &single);
-    if (s.model == "single-lut") return numbers_of(SingleLutSettings::by_name(s.quality), s, n, &single_lut);
-    if (s.model == "hillaire") return numbers_of(HillaireSettings::by_name(s.quality), s, n, &hillaire);
-    if (s.model == "bruneton") return numbers_of(BrunetonSettings::by_name(s.quality), s, n, &bruneton);
-    if (s.model == "reference") return numbers_of(ReferenceSettings::by_name(s.quality), s, n, &reference);
-    if (s.model == "aureole") return numbers_of(QualitySettings::by_name(s.quality), s, n, &models::aureole);
-    (void)model_by_name(s.model, s.quality);  // throws, with the names there are
-    throw Error(ErrorCode::internal, "the model " + s.model + " has no numbers here");
+Numbers make_by_numbers(const Setting& setting, std::span<const aureole_number> numbers) {
+    return detail::with_model(setting.model, [&](const auto& entry) {
+        return numbers_of(entry.settings(setting.quality), setting, numbers, entry.make);
+    });
 }
 
 }  // namespace aureole::c_api

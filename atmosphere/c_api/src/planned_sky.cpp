@@ -23,8 +23,7 @@ aureole_follow_settings c_api::to_c(const FollowSettings& settings) {
             shadows.samples};
 }
 
-FollowSettings c_api::to_cpp(const aureole_follow_settings& settings) {
-    const aureole_follow_settings& c = settings;
+FollowSettings c_api::to_cpp(const aureole_follow_settings& c) {
     FollowSettings f;
     f.margin = c.margin;
     f.fade_frames = c.fade_frames;

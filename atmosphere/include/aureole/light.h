@@ -15,10 +15,16 @@
 
 #include <aureole/parameters.h>
 
+#include <array>
 #include <span>
 #include <vector>
 
 namespace aureole {
+
+/// Irradiance of a surface with this normal (world axes, of any length in [1e-100, 1e100], else Error(invalid_argument)) from
+/// coefficients of the sky's radiance as LightTable::sky_coefficient gives them: for a host that keeps them, mixes those of two
+/// places, say, or adds suns up. Never negative.
+[[nodiscard]] Rgb sky_irradiance(std::span<const Rgb, 9> coefficients, const glm::dvec3& normal);
 
 /// The light table's texels, read on the CPU by the formulas of the shaders.
 class LightTable {
@@ -53,7 +59,7 @@ public:
 
 private:
     [[nodiscard]] Rgb texel(int column, int sun) const;
-    [[nodiscard]] Rgb signed_irradiance(const glm::dvec3& unit_normal, int sun) const;
+    [[nodiscard]] std::array<Rgb, 9> coefficients(int sun) const;
 
     std::vector<float> texels_;
 };

@@ -63,13 +63,14 @@ TEST_CASE("bruneton: every texel's ray is looked up at its centre") {
                     worst = std::max(worst, std::abs(slice - z));
                     // Within its node of nu, the sun's texel.
                     const double sun = std::fmod(place.at.x * nu_nodes, 1.0) * sun_nodes - 0.5;
-                    worst = std::max(worst, std::abs(sun - x % sun_nodes));
+                    const int sun_node = x % sun_nodes, nu_node = x / sun_nodes;
+                    worst = std::max(worst, std::abs(sun - sun_node));
                     // nu, where mu and mu_s allow the node's.
-                    const double node = 2.0 * (x / sun_nodes) / (nu_nodes - 1) - 1;
+                    const double node = 2.0 * nu_node / (nu_nodes - 1) - 1;
                     if (std::abs(ray.nu - node) > 1e-12) continue;
                     ++free;
                     const double nu = std::floor(place.at.x * nu_nodes) + place.share;
-                    worst_nu = std::max(worst_nu, std::abs(nu - x / sun_nodes));
+                    worst_nu = std::max(worst_nu, std::abs(nu - nu_node));
                 }
         CAPTURE(preset);
         CHECK(free > size.x * size.y * size.z / 6);

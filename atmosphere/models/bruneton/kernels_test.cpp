@@ -67,8 +67,8 @@ struct Passes {
     void arrive() { advance(1); }                         ///< Irradiance and field.
     void scatter() { advance(settings.altitude_nodes); }  ///< Scattering density.
     void gather() { advance(settings.altitude_nodes); }   ///< Along rays.
-    Image read(detail::TrackedTexture& table) { return backend->read(table.handle); }
-    void fill(detail::TrackedTexture& table, const std::function<double(std::uint32_t z)>& value) {
+    Image read(detail::TrackedTexture& table) const { return backend->read(table.handle); }
+    void fill(detail::TrackedTexture& table, const std::function<double(std::uint32_t z)>& value) const {
         Image image{table.extent, {}};
         for (std::uint32_t z = 0; z < table.extent.depth; ++z)
             image.texels.insert(image.texels.end(), std::size_t{table.extent.width} * table.extent.height,

@@ -23,7 +23,6 @@ using physics::cpu_double;
 using physics::cpu_float;
 using physics::degree;
 using physics::direction;
-using physics::pi;
 using physics::Sky;
 using physics::sun_at;
 

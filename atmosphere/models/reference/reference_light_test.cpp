@@ -32,7 +32,8 @@ TEST_CASE("reference: every backend has the same light") {
     Backends backends;
     for (const char* preset : {"earth", "mars"}) {
         Trio<Rig> trio(backends, lit_setup(8, preset));
-        for (const auto& [altitude, elevation] : {std::pair(2.0, 30.0), {2.0, -3.0}, {3e5, 5.0}}) {
+        for (const auto& place : {std::pair(2.0, 30.0), {2.0, -3.0}, {3e5, 5.0}}) {
+            const double altitude = place.first, elevation = place.second;
             trio.each([&](Rig& rig) {
                 rig.record_air();
                 rig.record_view(camera_at(rig.setup.air.planet, altitude), sun_at(elevation));

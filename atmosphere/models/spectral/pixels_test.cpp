@@ -35,6 +35,7 @@ TEST_CASE("spectral: a picture by pixels is the sum of those at each triplet, wi
                 wide.limb_darkening = LimbDarkening::none;
                 const std::vector<Image> shown = all.show(wide);
                 std::vector<std::vector<Image>> by_triplet;  // each once: films go on adding up
+                by_triplet.reserve(parts.size());
                 for (const std::unique_ptr<Shown>& part : parts) by_triplet.push_back(part->show(wide));
                 for (std::size_t i = 0; i < shown.size(); ++i) {
                     Image sum{shown[i].extent, std::vector<glm::dvec4>(shown[i].texels.size())};

@@ -85,6 +85,7 @@ TEST_CASE("spectral shadows: a picture is the sum of the pictures at each triple
             Shadowed all(*cpu, models::spectral(model, {set, of_earth}), rgb, true),
                 lit(*cpu, models::spectral(model, {set, of_earth}), rgb, false);
             std::vector<std::unique_ptr<Shadowed>> parts;
+            parts.reserve(triplets.size());
             for (const spectrum::Triplet& triplet : triplets)
                 parts.push_back(std::make_unique<Shadowed>(*cpu, model, spectrum::earth(triplet.nm), true));
             Worst worst;

@@ -45,6 +45,7 @@ std::vector<SpectralSum> make_sums(Objects& objects, rhi::Sampler nearest, const
     std::vector<SpectralSum> sums;
     for (std::size_t i = 0; i < lists.front().size(); ++i) {
         std::vector<rhi::Texture> tables;
+        tables.reserve(lists.size());
         for (const std::vector<LightTexture>& list : lists) tables.push_back(list[i].table->handle);
         sums.emplace_back(objects, nearest, weights, lists.front()[i], tables);
     }

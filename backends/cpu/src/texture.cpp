@@ -47,8 +47,8 @@ std::vector<real> fresh_texels(const rhi::TextureDesc& desc, std::uint64_t count
 
 }  // namespace
 
-TextureObject::TextureObject(const rhi::TextureDesc& desc, Precision precision, std::byte* host) : desc_(desc), host_(host) {
-    texel_count_ = std::uint64_t{desc.extent.width} * desc.extent.height * slices(desc);
+TextureObject::TextureObject(const rhi::TextureDesc& desc, Precision precision, std::byte* host)
+    : desc_(desc), texel_count_(std::uint64_t{desc.extent.width} * desc.extent.height * slices(desc)), host_(host) {
     if (precision == Precision::float32)
         texels_ = fresh_texels<float>(desc, texel_count_);
     else

@@ -80,7 +80,7 @@ DescriptorPools::Set DescriptorPools::allocate(const ShaderLayout& layout, const
     return {&pool, set};
 }
 
-void DescriptorPools::free(const Set& set, const ShaderLayout& layout) noexcept {
+void DescriptorPools::free(const Set& set, const ShaderLayout& layout) const noexcept {
     context_.fn.vkFreeDescriptorSets(context_.device, set.pool->handle, 1, &set.set);
     set.pool->left.add(counts_of(layout), 1);
 }

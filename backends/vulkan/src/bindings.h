@@ -25,7 +25,7 @@ public:
 
     /// Throws Error(out_of_memory).
     [[nodiscard]] Set allocate(const ShaderLayout& layout, const std::string& what);
-    void free(const Set& set, const ShaderLayout& layout) noexcept;
+    void free(const Set& set, const ShaderLayout& layout) const noexcept;
 
 private:
     struct Counts {

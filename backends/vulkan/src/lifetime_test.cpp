@@ -135,6 +135,7 @@ TEST_CASE("binding sets find room however many there are: pools are filled befor
     const Binding bindings[] = {{0, texture, {}, {}}};
     for (int round = 0; round < 3; ++round) {
         std::vector<BindingSet> sets;
+        sets.reserve(200);
         for (int i = 0; i < 200; ++i) sets.push_back(device.create_binding_set({"set", pipeline, bindings}));
         std::uint32_t room = 0;
         for (const std::uint32_t size : pool_sizes) room += size;

@@ -69,7 +69,7 @@ struct FakeDevice {
 
     static VKAPI_ATTR VkResult VKAPI_CALL allocate(VkDevice, const VkMemoryAllocateInfo* info, const VkAllocationCallbacks*,
                                                    VkDeviceMemory* memory) {
-        if (exhausted.count(info->memoryTypeIndex)) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+        if (exhausted.contains(info->memoryTypeIndex)) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
         *memory = reinterpret_cast<VkDeviceMemory>(next++);
         alive[*memory] = *info;
         return VK_SUCCESS;
@@ -115,6 +115,7 @@ TEST_CASE("small objects share memory, large ones have their own, and nothing st
     {
         Memory memory(fake.functions, VK_NULL_HANDLE, fake.types, 100, VkDeviceSize{1} << 31);
         std::vector<Memory::Allocation> allocations;
+        allocations.reserve(50);
         for (int i = 0; i < 50; ++i) allocations.push_back(memory.allocate(small, MemoryUse::device, linear, "small"));
         CHECK(FakeDevice::alive.size() == 1);
         for (int i = 1; i < 50; ++i) CHECK(allocations[1].offset % 256 == 0);

@@ -108,6 +108,7 @@ std::vector<PhysicalDevice> enumerate(const InstanceFunctions& f, VkInstance ins
     check_result(f.vkEnumeratePhysicalDevices(instance, &count, handles.data()), "vkEnumeratePhysicalDevices", "Vulkan");
     handles.resize(count);
     std::vector<PhysicalDevice> devices;
+    devices.reserve(handles.size());
     for (VkPhysicalDevice handle : handles) devices.push_back(describe(f, handle));
     return devices;
 }

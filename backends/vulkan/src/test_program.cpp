@@ -4,7 +4,7 @@
 
 namespace aureole::vulkan::test {
 
-HostProgram::HostProgram(Host& host, std::span<const std::uint32_t> spirv, std::vector<ProgramSet> sets) : host_(host) {
+HostProgram::HostProgram(Host& host, std::span<const std::uint32_t> spirv, const std::vector<ProgramSet>& sets) : host_(host) {
     make_sets(sets);
     make_pipeline(spirv);
 }

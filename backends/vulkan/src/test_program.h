@@ -22,7 +22,7 @@ using ProgramSet = std::vector<ProgramSlot>;
 class HostProgram {
 public:
     /// Descriptor sets by number; empty ones may stand between others.
-    HostProgram(Host& host, std::span<const std::uint32_t> spirv, std::vector<ProgramSet> sets);
+    HostProgram(Host& host, std::span<const std::uint32_t> spirv, const std::vector<ProgramSet>& sets);
     ~HostProgram();
     HostProgram(const HostProgram&) = delete;
     HostProgram& operator=(const HostProgram&) = delete;

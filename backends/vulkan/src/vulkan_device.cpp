@@ -13,7 +13,19 @@ namespace {
 /// A VkDevice of our own with one queue.
 class NativeDevice {
 public:
-    NativeDevice(const Instance& instance, const PhysicalDevice& physical, std::uint32_t queue_family) {
+    NativeDevice(const Instance& instance, const PhysicalDevice& physical, std::uint32_t queue_family)
+        : device_(create(instance, physical, queue_family)),
+          destroy_(
+              reinterpret_cast<PFN_vkDestroyDevice>(instance.functions().vkGetDeviceProcAddr(device_, "vkDestroyDevice"))) {}
+    ~NativeDevice() {
+        if (destroy_) destroy_(device_, nullptr);
+    }
+    NativeDevice(const NativeDevice&) = delete;
+    NativeDevice& operator=(const NativeDevice&) = delete;
+    [[nodiscard]] VkDevice get() const noexcept { return device_; }
+
+private:
+    static VkDevice create(const Instance& instance, const PhysicalDevice& physical, std::uint32_t queue_family) {
         const float priority = 1.0f;
         VkDeviceQueueCreateInfo queue = {};
         queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
@@ -27,20 +39,14 @@ public:
         info.queueCreateInfoCount = 1;
         info.pQueueCreateInfos = &queue;
         info.pEnabledFeatures = &features;
-        const auto create = instance.functions().vkCreateDevice;
-        check_result(create(physical.handle, &info, nullptr, &device_), "vkCreateDevice", physical.properties.deviceName);
-        destroy_ = reinterpret_cast<PFN_vkDestroyDevice>(instance.functions().vkGetDeviceProcAddr(device_, "vkDestroyDevice"));
+        VkDevice device = VK_NULL_HANDLE;
+        const auto make = instance.functions().vkCreateDevice;
+        check_result(make(physical.handle, &info, nullptr, &device), "vkCreateDevice", physical.properties.deviceName);
+        return device;
     }
-    ~NativeDevice() {
-        if (destroy_) destroy_(device_, nullptr);
-    }
-    NativeDevice(const NativeDevice&) = delete;
-    NativeDevice& operator=(const NativeDevice&) = delete;
-    [[nodiscard]] VkDevice get() const noexcept { return device_; }
 
-private:
-    VkDevice device_ = VK_NULL_HANDLE;
-    PFN_vkDestroyDevice destroy_ = nullptr;
+    VkDevice device_;
+    PFN_vkDestroyDevice destroy_;
 };
 
 class OwnDevice final : public VulkanDevice {

@@ -50,7 +50,7 @@ public:
         return device->create_binding_set({name, blur, bindings});
     }
     void begin() { list = &queue->begin(); }
-    void submit() { queue->submit(); }
+    void submit() const { queue->submit(); }
     void move(Texture texture, State before, State after) const {
         const TextureBarrier barrier{texture, before, after};
         list->barrier({&barrier, 1}, {});

@@ -102,9 +102,11 @@ TextureObject::TextureObject(const rhi::TextureDesc& d) : desc(d), target(textur
 }
 
 TextureObject::TextureObject(const rhi::ExternalTexture& external)
-    : desc(external.desc), target(texture_target(external.desc.dimension)), owned_(false) {
+    : desc(external.desc),
+      target(texture_target(external.desc.dimension)),
+      name(static_cast<GLuint>(external.native)),
+      owned_(false) {
     check_name(external);
-    name = static_cast<GLuint>(external.native);
     check_stated(desc, target, name);
     try {
         make_uses();

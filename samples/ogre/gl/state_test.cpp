@@ -2,6 +2,7 @@
 #include <aureole/rhi_tests/conformance.h>
 #include <doctest/doctest.h>
 
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <vector>
@@ -69,7 +70,8 @@ public:
             }
         }
         glActiveTexture(static_cast<GLenum>(active));
-        for (const GLenum name : {GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE}) {
+        for (const GLenum name :
+             std::initializer_list<GLenum>{GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE}) {
             GLint64 value = 0;
             glGetInteger64i_v(name, gl::push_binding, &value);
             all["push"].push_back(value);
@@ -130,8 +132,9 @@ private:
         glBindVertexArray(vertex_array_);
     }
     static void configure() {
-        for (const GLenum name : {GL_BLEND, GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_COLOR_LOGIC_OP,
-                                  GL_SAMPLE_MASK, GL_CLIP_DISTANCE0, GL_RASTERIZER_DISCARD})
+        for (const GLenum name :
+             std::initializer_list<GLenum>{GL_BLEND, GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_CULL_FACE,
+                                           GL_COLOR_LOGIC_OP, GL_SAMPLE_MASK, GL_CLIP_DISTANCE0, GL_RASTERIZER_DISCARD})
             glEnable(name);
         glDisable(GL_DITHER);
         glViewport(3, 5, 7, 11);

@@ -106,7 +106,7 @@ void add_phase(FieldBuilder& add, const DensityTerm& term, std::size_t i) {
 
 }  // namespace
 
-void add_air_fields(FieldBuilder& add, const State& state) {
+void add_air_fields(FieldBuilder& add, const State& state, Rows rows) {
     add_planet(add, state);
     for (std::size_t i = 0; i < state.scene.atmosphere.terms.size(); ++i) {
         const DensityTerm& term = term_of(state, i);
@@ -125,7 +125,7 @@ void add_air_fields(FieldBuilder& add, const State& state) {
             {0, 1e3, true}, [i](auto& s) -> auto& { return term_of(s, i).absorption_scale; });
         add_profile(add, term, i);
         add_phase(add, term, i);
-        add_sample_fields(add, term, i);
+        if (rows == Rows::all) add_sample_fields(add, term, i);
     }
 }
 

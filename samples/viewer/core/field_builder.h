@@ -75,7 +75,7 @@ private:
 };
 
 void add_scene_fields(FieldBuilder& add, const State& state);
-void add_air_fields(FieldBuilder& add, const State& state);
+void add_air_fields(FieldBuilder& add, const State& state, Rows rows);
 void add_sample_fields(FieldBuilder& add, const DensityTerm& term, std::size_t i);
 void add_pane_fields(FieldBuilder& add);
 

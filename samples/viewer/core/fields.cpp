@@ -78,9 +78,9 @@ void add_pane_fields(FieldBuilder& add) {
     for (std::size_t i = 0; i < 2; ++i) {
         const std::string letter = i == 0 ? "a" : "b";
         add.group("pane " + letter, letter + ".");
-        const auto text = [&](const char* name, std::vector<std::string> options, auto access) {
+        const auto text = [&](const char* name, const std::vector<std::string>& options, auto access) {
             add.text(
-                name, name, std::move(options), [access](const State& s) -> std::string { return access(s); },
+                name, name, options, [access](const State& s) -> std::string { return access(s); },
                 [access](State& s, const std::string& value) { access(s) = value; });
         };
         text(
@@ -99,11 +99,11 @@ void add_pane_fields(FieldBuilder& add) {
     }
 }
 
-std::vector<Field> fields_of(const State& state) {
+std::vector<Field> fields_of(const State& state, Rows rows) {
     std::vector<Field> fields;
     FieldBuilder add(fields);
     add_scene_fields(add, state);
-    add_air_fields(add, state);
+    add_air_fields(add, state, rows);
     add_pane_fields(add);
     add_view_fields(add);
     return fields;

@@ -31,8 +31,10 @@ struct Field {
     [[nodiscard]] bool is_flag() const { return options.size() == 2 && options[1] == "true"; }
 };
 
-/// Those that this state has, in the order of their groups.
-[[nodiscard]] std::vector<Field> fields_of(const State& state);
+/// Those that this state has, in the order of their groups. Tables of the air may have thousands of rows: who shows none of
+/// them leaves them out.
+enum class Rows { left_out, all };
+[[nodiscard]] std::vector<Field> fields_of(const State& state, Rows rows = Rows::all);
 
 /// As text: numbers in full. Error(invalid_argument) for a name that there is not, as all below.
 [[nodiscard]] std::string get_field(const State& state, const std::string& name);
@@ -44,10 +46,9 @@ void set_number(State& state, const Field& field, double value);
 void set_text(State& state, const Field& field, const std::string& value);
 
 /// The two tables that a term of the air may have: density over altitude, and a phase function over the angle. Each of their
-/// first `most_sample_rows` rows has fields (term.mie.profile.altitude_m.1, .density.1; term.mie.phase.angle_rad.2, .value.1)
-/// in a group of their own.
+/// rows has fields (term.mie.profile.altitude_m.1, .density.1; term.mie.phase.angle_rad.2, .value.1), row after row, in a group
+/// of their own.
 enum class Sampled { profile, phase };
-inline constexpr std::size_t most_sample_rows = 64;
 [[nodiscard]] inline std::string sample_group(const std::string& term, Sampled which) {
     return "term " + term + (which == Sampled::profile ? ", profile's samples" : ", phase function's samples");
 }

@@ -3,6 +3,7 @@
 #include "io/test_files.h"
 
 #include <doctest/doctest.h>
+#include <algorithm>
 #include <filesystem>
 #include <numbers>
 #include <set>
@@ -88,6 +89,25 @@ TEST_CASE("fields: an altitude takes the place of a clearance, and a term's kind
     CHECK_FALSE(state.scene.terrain);
     set_field(state, "suns", "3");
     CHECK(state.scene.suns.size() == 3);
+}
+
+TEST_CASE("fields: a table's last row is set as its first, however many there are") {
+    State state = state_with("[[sun]]\n");
+    TabulatedProfile table;
+    for (int row = 0; row < 4096; ++row) {  // the most that the air takes
+        table.altitude_m.push_back(10.0 * row);
+        table.density.push_back(1 - row / 4096.0);
+    }
+    state.scene.atmosphere.terms[1].profile = table;
+    set_field(state, "term.mie.profile.density.65", "0.75");
+    set_field(state, "term.mie.profile.altitude_m.4096", "40960");
+    table.density[64] = 0.75;
+    table.altitude_m[4095] = 40960;
+    CHECK(std::get<TabulatedProfile>(state.scene.atmosphere.terms[1].profile) == table);
+    const auto all = fields_of(state), without = fields_of(state, Rows::left_out);
+    CHECK(all.size() == without.size() + 2 * 4096);
+    CHECK(
+        std::ranges::none_of(without, [](const Field& field) { return field.group == sample_group("mie", Sampled::profile); }));
 }
 
 TEST_CASE("fields: samples of a tabulated profile and phase function are set, added and taken out") {

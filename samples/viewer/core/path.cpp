@@ -46,6 +46,7 @@ std::array<std::string, 2> sun_columns(std::size_t sun) {
 /// Names of all columns of a path with so many suns.
 std::vector<std::string> names_of(std::size_t suns) {
     std::vector<std::string> names;
+    names.reserve(std::size(columns) + 2 * suns);
     for (const Column& column : columns) names.emplace_back(column.name);
     for (std::size_t sun = 0; sun < suns; ++sun)
         for (std::string& name : sun_columns(sun)) names.push_back(std::move(name));
@@ -54,6 +55,7 @@ std::vector<std::string> names_of(std::size_t suns) {
 
 std::vector<double> row_of(const PathPoint& point) {
     std::vector<double> row;
+    row.reserve(std::size(columns) + 2 * point.suns.size());
     for (const Column& column : columns) row.push_back(point.*column.value);
     for (const app::ScenePose& sun : point.suns) row.insert(row.end(), {sun.bearing_deg, sun.elevation_deg});
     return row;

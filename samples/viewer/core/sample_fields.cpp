@@ -73,19 +73,19 @@ void add_sample_fields(FieldBuilder& add, const DensityTerm& term, std::size_t i
         const auto pairs = pairs_of(term, which);
         if (!pairs.x) continue;
         const bool profile = which == Sampled::profile;
-        const std::string x_name = profile ? "altitude_m" : "angle_rad", y_name = profile ? "density" : "value";
+        const std::string x_name = profile ? "altitude_m." : "angle_rad.", y_name = profile ? "density." : "value.";
         add.group(sample_group(term.name, which), "term." + term.name + (profile ? ".profile." : ".phase."));
         const double most = std::max(10.0, 10 * *std::ranges::max_element(*pairs.y));
-        for (std::size_t row = 0; row < std::min(pairs.x->size(), most_sample_rows); ++row) {
+        for (std::size_t row = 0; row < pairs.x->size(); ++row) {
             const std::string number = std::to_string(row + 1);
             const auto samples = [i, which](auto& s) { return pairs_of(s.scene.atmosphere.terms[i], which); };
             // A phase function goes from 0 to pi: its ends stay.
             if (profile || (row > 0 && row + 1 < pairs.x->size()))
                 add.number(
-                    x_name + "." + number, "##x", reach_of(*pairs.x, row),
+                    x_name + number, "##x", reach_of(*pairs.x, row),
                     [ samples, row ](auto& s) -> auto& { return (*samples(s).x)[row]; });
             add.number(
-                y_name + "." + number, "##y", {0, std::min(most, profile ? 1e6 : 1e100), true},
+                y_name + number, "##y", {0, std::min(most, profile ? 1e6 : 1e100), true},
                 [ samples, row ](auto& s) -> auto& { return (*samples(s).y)[row]; });
         }
     }

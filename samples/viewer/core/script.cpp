@@ -187,7 +187,7 @@ bool ScriptRunner::step(Stage& stage, const ScriptLine& line) {
 }
 
 /// A press and a release each have a frame of their own, as at a window.
-bool ScriptRunner::act_with_mouse(Stage& stage, const ScriptLine& line) {
+bool ScriptRunner::act_with_mouse(Stage& stage, const ScriptLine& line) const {
     const std::vector<std::string>& w = line.words;
     if (w[0] == "mouse") {
         if (frame_ == 0) stage.mouse(number(w[1]), number(w[2]));

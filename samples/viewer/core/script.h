@@ -81,7 +81,7 @@ public:
 private:
     /// True: the line is done. False: it goes on in the next frame.
     [[nodiscard]] bool step(Stage& stage, const ScriptLine& line);
-    [[nodiscard]] bool act_with_mouse(Stage& stage, const ScriptLine& line);
+    [[nodiscard]] bool act_with_mouse(Stage& stage, const ScriptLine& line) const;
 
     Script script_;
     std::size_t next_ = 0;

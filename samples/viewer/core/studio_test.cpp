@@ -123,7 +123,7 @@ TEST_CASE(
         REQUIRE(shown.panes[1]);
         CHECK(shown.panes[1]->exposure == shown.panes[0]->exposure);
         const app::DisplayImage picture = picture_of(shown, state);
-        const Difference d = difference(shown.panes[0]->linear, shown.panes[1]->linear);
+        Difference d = difference(shown.panes[0]->linear, shown.panes[1]->linear);
         CHECK(picture.rgb == false_colours(d, state.difference_range).rgb);
         return d;
     };

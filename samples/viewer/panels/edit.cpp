@@ -60,7 +60,7 @@ bool edit_field(Session& session, const Field& field) {
 void edit_group(Session& session, const std::string& group) {
     ImGui::PushID(group.c_str());
     ImGui::PushItemWidth(180);
-    for (const Field& field : fields_of(session.state))
+    for (const Field& field : fields_of(session.state, Rows::left_out))
         if (field.group == group && edit_field(session, field)) break;  // the rest may be of what is there no more
     ImGui::PopItemWidth();
     ImGui::PopID();

@@ -48,7 +48,7 @@ void legend(double range) {
 }  // namespace
 
 void panes_panel(Session& session) {
-    const std::vector<Field> fields = fields_of(session.state);
+    const std::vector<Field> fields = fields_of(session.state, Rows::left_out);
     static constexpr const char* labels[] = {"A", "B", "A | B", "Difference"};
     for (std::size_t i = 0; i < layout_names().size(); ++i) {
         if (i > 0) ImGui::SameLine();

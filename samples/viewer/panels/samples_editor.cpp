@@ -22,28 +22,29 @@ void edit_table(Session& session, std::size_t term, Sampled which) {
     const std::vector<Field> fields = fields_of(session.state);
     const std::string name = session.state.scene.atmosphere.terms[term].name;
     const std::string begin = "term." + name + (profile ? ".profile." : ".phase.");
+    // A group's fields stand together, row after row.
+    auto field = std::ranges::find(fields, sample_group(name, which), &Field::group);
     ImGui::TextWrapped(profile ? "altitude (m), density; + adds a row behind, x takes it out"
                                : "angle from forward (rad), value of any scale; + adds a row behind, x takes it out");
-    const auto field_at = [&](const char* column, std::size_t row) {
-        return std::ranges::find(fields, begin + column + "." + std::to_string(row + 1), &Field::name);
+    const auto edit_next = [&](const char* column, const std::string& number) {
+        const bool is_next = field != fields.end() && field->name == begin + column + number;
+        if (is_next) edit_field(session, *field++);
+        return is_next;
     };
     ImGui::PushItemWidth(130);
-    for (std::size_t row = 0; row < std::min(rows, most_sample_rows); ++row) {
+    for (std::size_t row = 0; row < rows; ++row) {
         const std::string number = std::to_string(row + 1);
-        if (const auto x = field_at(profile ? "altitude_m" : "angle_rad", row); x != fields.end())
-            edit_field(session, *x);
-        else
+        if (!edit_next(profile ? "altitude_m." : "angle_rad.", number))
             ImGui::Dummy({130, ImGui::GetFrameHeight()});  // the ends of a phase function
         ImGui::SameLine();
-        if (const auto y = field_at(profile ? "density" : "value", row); y != fields.end()) edit_field(session, *y);
-        const bool inserts = button(session, "+", begin + "insert." + number);
-        const bool removes = button(session, "x", begin + "remove." + number);
+        edit_next(profile ? "density." : "value.", number);
+        const bool inserts = button(session, "+", std::string(begin).append("insert.").append(number));
+        const bool removes = button(session, "x", std::string(begin).append("remove.").append(number));
         if (inserts) attempt(session, [&] { insert_sample(session.state, term, which, row); });
         if (removes) attempt(session, [&] { remove_sample(session.state, term, which, row); });
         if (inserts || removes) break;  // the fields are of the rows before
     }
     ImGui::PopItemWidth();
-    if (rows > most_sample_rows) ImGui::Text("%zu more rows: the scene file has them all", rows - most_sample_rows);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ public:
     void picture(const std::string& which, const std::filesystem::path& file) override;
     void texel(int x, int y) override;
     void texel_under_mouse() override;
-    void describe(const std::string& pane) override;
+    void describe(const std::string& which) override;
     void record(bool start, const std::filesystem::path& file) override;
     void play(const std::filesystem::path& file) override { session_.play(file); }
     [[nodiscard]] bool playing() override { return session_.playing_s.has_value(); }

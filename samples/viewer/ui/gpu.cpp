@@ -162,7 +162,7 @@ void Gpu::destroy() noexcept {
     if (instance) vkDestroyInstance(instance, nullptr);
 }
 
-void Gpu::run(const std::function<void(VkCommandBuffer)>& record) {
+void Gpu::run(const std::function<void(VkCommandBuffer)>& record) const {
     VkCommandBufferAllocateInfo allocate{};
     allocate.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
     allocate.commandPool = pool;

@@ -30,7 +30,7 @@ public:
     Gpu& operator=(const Gpu&) = delete;
 
     /// Records, submits, waits.
-    void run(const std::function<void(VkCommandBuffer)>& record);
+    void run(const std::function<void(VkCommandBuffer)>& record) const;
     [[nodiscard]] std::uint32_t memory_type(std::uint32_t bits, VkMemoryPropertyFlags properties) const;
     /// Warnings and errors of the validation layer.
     [[nodiscard]] int findings() const noexcept { return findings_; }

@@ -3,6 +3,7 @@
 #include <aureole/rhi/checks.h>
 
 #include <algorithm>
+#include <ranges>
 #include <stdexcept>
 
 namespace aureole::conformance {
@@ -12,7 +13,7 @@ using namespace aureole::rhi;
 Harness::~Harness() {
     try {
         if (list_) run();
-        for (auto object = objects_.rbegin(); object != objects_.rend(); ++object) device.destroy(*object, frame_);
+        for (const auto& object : std::views::reverse(objects_)) device.destroy(object, frame_);
         queue.wait();
     } catch (...) {
         // A failure here follows one that has been reported.

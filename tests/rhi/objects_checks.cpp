@@ -86,7 +86,7 @@ void check_creation_errors(const Target& target) {
     const auto source = h.texture("source", Format::rgba32_float, {4, 4, 1}, Usage::sampled | Usage::copy_destination);
     const auto image = h.texture("image", Format::rgba32_float, {4, 4, 1}, Usage::storage | Usage::copy_source);
     const auto sampler = h.sampler(Filter::nearest);
-    const auto set = [&](std::vector<Binding> bindings) {
+    const auto set = [&](const std::vector<Binding>& bindings) {
         return [&device, pipeline, bindings] { (void)device.create_binding_set({"bad set", pipeline, bindings}); };
     };
     const Binding read{0, source, sampler, {}}, write{1, image, {}, {}};

@@ -4,6 +4,7 @@
 #include <aureole/rhi/texel.h>
 
 #include <cmath>
+#include <ranges>
 
 namespace aureole::conformance {
 namespace {
@@ -50,7 +51,7 @@ PassRig::PassRig(rhi::Device& inner, rhi::Queue& queue, const rhi::Device& other
 }
 
 PassRig::~PassRig() {
-    for (auto handle = made_.rbegin(); handle != made_.rend(); ++handle) device.destroy(*handle, 0);
+    for (const auto& handle : std::views::reverse(made_)) device.destroy(handle, 0);
 }
 
 void PassRig::run(const std::function<void(rhi::CommandList&)>& record) {
@@ -128,7 +129,7 @@ void PassPair::record_air() {
     each([](PassRig& rig) { rig.run([&](rhi::CommandList& commands) { rig.air.record(commands); }); });
 }
 
-void PassPair::share_air() {
+void PassPair::share_air() const {
     checked->write(checked->air.transmittance_table(), reference->read(reference->air.transmittance_table()));
     checked->write(checked->air.multi_scatter_table(), reference->read(reference->air.multi_scatter_table()));
 }
@@ -140,7 +141,7 @@ void PassPair::record_view(const Camera& camera, const Sun& sun) {
     });
 }
 
-PassPair::Tables PassPair::read(const std::function<rhi::Texture(const PassRig&)>& table) {
+PassPair::Tables PassPair::read(const std::function<rhi::Texture(const PassRig&)>& table) const {
     return {checked->read(table(*checked)), reference->read(table(*reference))};
 }
 

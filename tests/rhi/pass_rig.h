@@ -45,7 +45,7 @@ struct PassSetup {
 
 class PassRig {
 public:
-    PassRig(rhi::Device& device, rhi::Queue& queue, const rhi::Device& other, const PassSetup& setup);
+    PassRig(rhi::Device& inner, rhi::Queue& queue, const rhi::Device& other, const PassSetup& setup);
     ~PassRig();
     PassRig(const PassRig&) = delete;
     PassRig& operator=(const PassRig&) = delete;
@@ -70,7 +70,7 @@ private:
 /// Both of them, in step. What the checked device warns of or complains about is a failure.
 class PassPair {
 public:
-    PassPair(const Target& target, const PassSetup& setup);
+    PassPair(const Target& target, const PassSetup& wanted);
     PassPair(const PassPair&) = delete;
     PassPair& operator=(const PassPair&) = delete;
 
@@ -81,14 +81,14 @@ public:
     }
     void record_air();
     /// Gives the checked device the CPU's tables of the air: what is recorded then is compared by itself.
-    void share_air();
+    void share_air() const;
     void record_view(const Camera& camera, const Sun& sun);
 
     /// A table of both, by how to get at it.
     struct Tables {
         Image checked, reference;
     };
-    [[nodiscard]] Tables read(const std::function<rhi::Texture(const PassRig&)>& table);
+    [[nodiscard]] Tables read(const std::function<rhi::Texture(const PassRig&)>& table) const;
 
 private:
     /// Collects what the device warns of, until it goes.

@@ -76,8 +76,8 @@ private:
     [[nodiscard]] double dip() const;
     [[nodiscard]] Profile profile(std::uint64_t term) const;
     [[nodiscard]] PhaseFunction phase(std::uint64_t term) const;
-    [[nodiscard]] DensityTerm term(std::uint64_t term) const;
-    [[nodiscard]] double zenith(std::span<const double> corners, const Draw& d) const;
+    [[nodiscard]] DensityTerm term(std::uint64_t i) const;
+    [[nodiscard]] double zenith(std::span<const double> special, const Draw& d) const;
 
     std::uint64_t index_;
     Axis pinned_[2] = {Axis::count, Axis::count};

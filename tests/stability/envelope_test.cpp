@@ -59,8 +59,9 @@ private:
     Observer seen_, exact_;
 };
 
-std::vector<Pair> pairs(std::vector<Rung> rungs, bool half = false) {
+std::vector<Pair> pairs(const std::vector<Rung>& rungs, bool half = false) {
     std::vector<Pair> all;
+    all.reserve(rungs.size());
     for (const Rung& rung : rungs) all.emplace_back(rung, half);
     return all;
 }
@@ -68,7 +69,7 @@ std::vector<Pair> pairs(std::vector<Rung> rungs, bool half = false) {
 std::vector<Pair> float_pairs() {
     std::vector<Rung> rungs = bare_rungs();
     std::ranges::copy(stored_rungs(rhi::Format::rgba32_float), std::back_inserter(rungs));
-    return pairs(std::move(rungs));
+    return pairs(rungs);
 }
 
 std::string text(const Scene& s) {

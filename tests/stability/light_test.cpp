@@ -45,7 +45,7 @@ Table light_of(Kernel<real>& k) {
     Table table;
     for (int i = 0; i < 10; ++i) {
         k.kernel_main({i, 0, 0});
-        const auto at = static_cast<std::size_t>(4 * i);
+        const auto at = 4 * static_cast<std::size_t>(i);
         (i < 9 ? table.sky[i] : table.sun) = glm::dvec3(texels[at], texels[at + 1], texels[at + 2]);
     }
     return table;
@@ -143,7 +143,7 @@ void check_bounds(Ledger& ledger, const Case& c, Kernel<real>& k) {
     const Table table = light_of(k);
     const glm::dvec3 sun(k.view.sun_irradiance[0]), all = whole(table);
     bool finite = true;
-    for (int i = 0; i < 9; ++i) finite = finite && std::isfinite(glm::dot(table.sky[i], glm::dvec3(1)));
+    for (const auto& coefficient : table.sky) finite = finite && std::isfinite(glm::dot(coefficient, glm::dvec3(1)));
     ledger.check("light is finite", c, finite);
     for (int channel = 0; channel < 3; ++channel) {
         const double most = sun[channel] * (1 + 1e-4), given = all[channel];

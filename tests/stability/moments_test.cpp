@@ -50,7 +50,8 @@ void check_values(Ledger& ledger, const Case& c, kernels::StabilityFormulas<floa
                   kernels::StabilityFormulas<double>& exact) {
     static const detail::GaussLegendre rule = detail::gauss_legendre(12);
     for (int i = 0; i < exact.PHASE_COUNT; ++i) {
-        if (exact.phase_kind(i) == exact.PHASE_TABULATED) continue;  // its axis is the angle, which a float knows to 1e-7
+        if (exact.phase_kind(i) == kernels::StabilityFormulas<double>::PHASE_TABULATED)
+            continue;  // its axis is the angle, which a float knows to 1e-7
         double apart[moments] = {}, whole = 0;
         // Halves towards both poles, where lobes are.
         for (int half = -12; half <= 12; ++half) {

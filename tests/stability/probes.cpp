@@ -181,8 +181,8 @@ struct Prober::Impl {
     Formulas<double> exact;
 };
 Prober::Prober() : impl_(std::make_unique<Impl>()) {
-    impl_->single.rule(impl_->single.kernel.zenith_quadrature, impl_->single.kernel.ZENITH_NODES);
-    impl_->exact.rule(impl_->exact.kernel.zenith_quadrature, impl_->exact.kernel.ZENITH_NODES);
+    Formulas<float>::rule(impl_->single.kernel.zenith_quadrature, impl_->single.kernel.ZENITH_NODES);
+    Formulas<double>::rule(impl_->exact.kernel.zenith_quadrature, impl_->exact.kernel.ZENITH_NODES);
 }
 Prober::~Prober() = default;
 

@@ -34,6 +34,7 @@ std::vector<glm::dvec2> fan(const Case& c) {
 
 std::vector<glm::dvec3> directions(const Case& c, const std::vector<glm::dvec2>& at) {
     std::vector<glm::dvec3> all;
+    all.reserve(at.size());
     for (const glm::dvec2& d : at) all.push_back(c.world(d.x, d.y));
     return all;
 }

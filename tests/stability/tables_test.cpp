@@ -68,7 +68,8 @@ struct Filled {
     std::vector<glm::dvec3> rounding;
     [[nodiscard]] glm::dvec3 value(int x, int y) const { return at(texels, x, y); }
     [[nodiscard]] glm::dvec3 slack(int x, int y) const {
-        return 2.0 * glm::abs(value(x, y) - at(finer, x, y)) + rounding[static_cast<std::size_t>(y * width + x)];
+        return 2.0 * glm::abs(value(x, y) - at(finer, x, y)) +
+               rounding[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
     }
     static glm::dvec3 at(const std::vector<real>& all, int x, int y) {
         const std::size_t i = 4 * static_cast<std::size_t>(y * width + x);

@@ -41,8 +41,8 @@ struct Parts {
         worst.compare(shown, {Measure::Kind::relative, 1e-20, 1e-3}, "");
         return std::max(worst.vulkan.error(), worst.exact.error());
     }
-    void check(const std::string& what) const {
-        air.check("all passes", what + ": tables of the air", 1e-4, 1e-3);
+    void check(const std::string& what, double vulkan_bound_of_air = 1e-4) const {
+        air.check("all passes", what + ": tables of the air", vulkan_bound_of_air, 1e-3);
         view.check("all passes", what + ": tables of the view", 1e-4, 1e-3);
         picture.check("all passes", what + ": picture", 1e-4, 1e-3);
     }
@@ -110,5 +110,6 @@ TEST_CASE("all passes: air of every kind, every backend") {
         for (const auto& [altitude, elevation] : {std::pair(0.0, 30.0), {3e3, -2.0}, {2e5, 10.0}})
             compare_at(parts, trio, altitude, elevation, name);
     }
-    parts.check("air of every kind");
+    // Their nights are e^-65 of the sun's light, through depths as large: floats are 1e-4 of that logarithm off double, too.
+    parts.check("air of every kind", 2e-4);
 }

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <ranges>
 #include <string>
 
 namespace aureole::detail {
 
 Objects::~Objects() {
     // Users before what they use.
-    for (const auto& handle : std::views::reverse(handles_)) device_->destroy(handle, *frame_);
+    std::for_each(handles_.rbegin(), handles_.rend(), [&](const auto& handle) { device_->destroy(handle, *frame_); });
 }
 
 TrackedTexture Objects::texture(const rhi::TextureDesc& desc) {

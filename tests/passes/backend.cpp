@@ -9,7 +9,6 @@
 #endif
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 namespace aureole::passes {
@@ -73,7 +72,7 @@ Backend::Backend(std::string name, std::unique_ptr<OpenDevice> inner)
 }
 
 Backend::~Backend() {
-    for (const auto& handle : std::views::reverse(made_)) counting_->destroy(handle, 0);
+    std::for_each(made_.rbegin(), made_.rend(), [&](const auto& handle) { counting_->destroy(handle, 0); });
     CHECK(counting_->live() == 0);
     queue_->wait();
     queue_.reset();

@@ -3,7 +3,6 @@
 #include <aureole/rhi/checks.h>
 
 #include <algorithm>
-#include <ranges>
 #include <stdexcept>
 
 namespace aureole::conformance {
@@ -13,7 +12,7 @@ using namespace aureole::rhi;
 Harness::~Harness() {
     try {
         if (list_) run();
-        for (const auto& object : std::views::reverse(objects_)) device.destroy(object, frame_);
+        std::for_each(objects_.rbegin(), objects_.rend(), [&](const auto& object) { device.destroy(object, frame_); });
         queue.wait();
     } catch (...) {
         // A failure here follows one that has been reported.

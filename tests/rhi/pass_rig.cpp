@@ -3,8 +3,8 @@
 #include <aureole/rhi/checks.h>
 #include <aureole/rhi/texel.h>
 
+#include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace aureole::conformance {
 namespace {
@@ -51,7 +51,7 @@ PassRig::PassRig(rhi::Device& inner, rhi::Queue& queue, const rhi::Device& other
 }
 
 PassRig::~PassRig() {
-    for (const auto& handle : std::views::reverse(made_)) device.destroy(handle, 0);
+    std::for_each(made_.rbegin(), made_.rend(), [&](const auto& handle) { device.destroy(handle, 0); });
 }
 
 void PassRig::run(const std::function<void(rhi::CommandList&)>& record) {

@@ -16,16 +16,18 @@ install(
     DESTINATION "${package_dir}" COMPONENT development)
 install(
     FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CHANGELOG.md"
+          "${PROJECT_SOURCE_DIR}/CONTRIBUTING.md"
     DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT development)
-# The pages link to each other and to headers by their places in the tree, so they keep them.
+# The pages link to each other, to pictures, to code and to examples by their places in the tree, so these keep them.
 install(
-    DIRECTORY "${PROJECT_SOURCE_DIR}/docs" "${PROJECT_SOURCE_DIR}/atmosphere"
+    DIRECTORY "${PROJECT_SOURCE_DIR}/docs" "${PROJECT_SOURCE_DIR}/atmosphere" "${PROJECT_SOURCE_DIR}/rhi" "${PROJECT_SOURCE_DIR}/backends"
+              "${PROJECT_SOURCE_DIR}/samples"
     DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT development
     FILES_MATCHING
-    PATTERN "*.md"
-    PATTERN "docs/images/*.png"
-    PATTERN "docs/images/*.svg"
-    PATTERN include EXCLUDE)
+    REGEX "\\.(md|png|jpg|svg|toml|glsl|h)$"
+    REGEX "/atmosphere/.*\\.cpp$"
+    REGEX "/samples/(host_vulkan|ogre)/.*"
+    REGEX "/docs/site$" EXCLUDE)
 
 # aureole_pkg_config(<name> DESCRIPTION <text> LIBRARIES <component>... [REQUIRES <package>...] [FLAGS <flag>...]): <name>.pc
 function(aureole_pkg_config name)

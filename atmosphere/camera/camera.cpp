@@ -33,7 +33,8 @@ void check_view(const glm::dmat4& view) {
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row) worst = std::max(worst, std::abs(gram[column][row] - (column == row ? 1 : 0)));
     if (worst > 1e-3)
-        detail::reject("camera.view", "axes " + detail::print(worst) + " from orthonormal", "orthonormal within 0.001");
+        detail::reject("camera.view", "a matrix whose axes are " + detail::print(worst) + " off length 1 and right angles",
+                       "a rotation: off by at most 0.001");
 }
 
 }  // namespace

@@ -67,6 +67,8 @@ void check_shadows(const Atmosphere::Impl& air, const ViewSettings& settings) {
                         ", whose light is not made of single scattering and the rest");
 }
 
+// Blocks are floats without gaps; what is to be known is whether the device has the same bits.
+// NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
 bool same_block(const ViewBlock& a, const ViewBlock& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 /// The block without what the light does not depend on: where the camera looks, and how the picture is shown.
@@ -153,6 +155,7 @@ struct View::Impl final : detail::AirUser {
     void use(const detail::ViewBlock& fresh, const Camera& by) {
         if (tables->shadows.enabled()) {
             const detail::ShadowBlock shadows = detail::pack_shadows(shadow_map, settings.shadows.cascades, by.position_m);
+            // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): as above
             shadows_stale |= std::memcmp(&shadows, &shadow_block, sizeof shadows) != 0 || !detail::same_froxels(fresh, block);
             shadow_block = shadows;
         }
@@ -187,7 +190,9 @@ View::~View() = default;
 
 void View::update(const Camera& camera, std::span<const Sun> suns) {
     Impl& impl = *impl_;
-    detail::check_count("suns", suns.size(), 0, impl.settings.max_suns);
+    if (suns.size() > impl.settings.max_suns)
+        detail::reject("suns", std::to_string(suns.size()) + " of them",
+                       "at most " + std::to_string(impl.settings.max_suns) + ", ViewSettings::max_suns");
     impl.use(impl.pack(camera, suns), camera);
     impl.tell_if_deep(camera);
     KeptInTables kept = impl.air.kept_in_tables;

@@ -198,7 +198,7 @@ TEST_CASE("report: geometry by its distance, and what it is without the air befo
     CHECK(contains(tables, "\n† Not measured there: brought nearer from the pixels at 1 to 3 km"));
     CHECK(contains(tables, "| hillaire default | 0.2 / 0.4 | – |"));
     CHECK(contains(tables, "| hillaire default | 0.4 | 24 % |"));
-    measurements["scenes"][0]["bare"] = {bare(1, 0.104, 0.2)};  // no nearer than the pixels
+    measurements["scenes"][0]["bare"] = json::array({bare(1, 0.104, 0.2)});  // no nearer than the pixels
     measurements["scenes"][1].erase("bare");
     CHECK_FALSE(contains(markdown_tables(measurements), "†"));
     measurements["scenes"][0]["bare"][0]["distance_km"] = -1;

@@ -13,7 +13,7 @@ namespace aureole::stability {
 
 /// A point of the unit cube, which stands for a scene: base, radius, haze, g, altitude, sun, the ground's albedo.
 using ScenePoint = std::array<double, 7>;
-[[nodiscard]] Scene scene_at(const ScenePoint& at, Subject subject);
+[[nodiscard]] Scene scene_at(const ScenePoint& u, Subject subject);
 [[nodiscard]] std::string text_of(const Scene& scene);
 
 /// A model in float on the CPU, and in double.

@@ -47,7 +47,8 @@ struct Camera {
 void validate(const Camera& camera);
 
 /// A camera `altitude_m` above the ground, for tools and tests: the planet's +z pole is up, forward has the given azimuth
-/// (counter-clockwise from +x, seen from above) and elevation. Reversed infinite depth. bottom_radius_m in [1e3, 1e12],
+/// (counter-clockwise from +x, seen from above) and elevation. Reversed infinite depth in [0, 1], the first row the top one
+/// (DepthRange::zero_to_one, RowOrder::top_first): change these members after it. bottom_radius_m in [1e3, 1e12],
 /// altitude_m from half of it below the ground to 1e13 m from the centre, azimuth in [-1e6, 1e6], elevation in [-pi/2, pi/2],
 /// vertical_fov_rad in [1e-6, 3.14], aspect (width / height) in [1e-3, 1e3], near_m in [1e-6, 1e9]; else
 /// Error(invalid_argument).

@@ -10,7 +10,8 @@ namespace aureole::presets {
 
 /// Earth, clear: radii 6360/6460 km; Rayleigh (5.802, 13.558, 33.1)e-6 /m, scale height 8 km; Mie scattering 3.996e-6,
 /// absorption 0.444e-6 /m, scale height 1.2 km, Cornette-Shanks g 0.8; ozone (0.650, 1.881, 0.085)e-6 /m, tent 10-25-40 km.
-/// Hillaire, EGSR 2020, after Bruneton 2017.
+/// Hillaire, EGSR 2020, after Bruneton 2017. Terms are named "rayleigh", "mie", "ozone", here and in the other Earths; those of
+/// mars() "rayleigh" and "dust".
 [[nodiscard]] AtmosphereParameters earth();
 /// Earth with ten times the aerosol, g 0.76, ground albedo 0.1.
 [[nodiscard]] AtmosphereParameters hazy_earth();

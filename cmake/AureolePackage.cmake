@@ -27,7 +27,8 @@ install(
     REGEX "\\.(md|png|jpg|svg|toml|glsl|h)$"
     REGEX "/atmosphere/.*\\.cpp$"
     REGEX "/samples/(host_vulkan|ogre)/.*"
-    REGEX "/docs/site$" EXCLUDE)
+    REGEX "/docs/site$" EXCLUDE
+    REGEX "_test\\.(h|cpp)$" EXCLUDE)
 
 # aureole_pkg_config(<name> DESCRIPTION <text> LIBRARIES <component>... [REQUIRES <package>...] [FLAGS <flag>...]): <name>.pc
 function(aureole_pkg_config name)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/exponential.hpp>
+#include <limits>
 
 namespace aureole::app {
 
@@ -18,8 +19,11 @@ Estimated estimate(const Tally& tally, double count) {
 
 double relative_error(const Estimated& value) {
     double worst = 0;
-    for (int c = 0; c < 3; ++c)
-        if (value.error[c] > 0) worst = std::max(worst, value.error[c] / std::abs(value.radiance[c]));
+    for (int c = 0; c < 3; ++c) {
+        const double radiance = std::abs(value.radiance[c]);
+        if (value.error[c] > 0)
+            worst = std::max(worst, radiance > 0 ? value.error[c] / radiance : std::numeric_limits<double>::infinity());
+    }
     return worst;
 }
 

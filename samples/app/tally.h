@@ -22,7 +22,7 @@ struct Estimated {
 };
 /// What `count` values say; an error of 0 of fewer than two.
 [[nodiscard]] Estimated estimate(const Tally& tally, double count);
-/// Largest ratio of standard error to radiance over the channels; 0 where there is no error.
+/// Largest ratio of standard error to radiance over the channels; 0 where there is no error, infinite where it is of nothing.
 [[nodiscard]] double relative_error(const Estimated& value);
 
 /// Whether the error is looked at after so many rounds, `least` or more. Stopping as soon as it looks small enough would favour

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numbers>
 
 using namespace aureole;
@@ -40,6 +41,11 @@ void finish(Tracer& tracer) {
 }
 
 }  // namespace
+
+TEST_CASE("trace: an error of no light is infinite, and no division by it") {
+    CHECK(relative_error({Rgb(0, 2, 1), Rgb(0, 1, 0.1)}) == 0.5);
+    CHECK(relative_error({Rgb(0, 2, 1), Rgb(1e-300, 1, 0.1)}) == std::numeric_limits<double>::infinity());
+}
 
 TEST_CASE("trace: rows of an independent table of truth, and their first orders") {
     // From tests/truth/earth.csv: radiance, its standard error, scattered once, reflected once; red, green, blue.
